@@ -1,0 +1,107 @@
+"""Refusals: a planner's "no" as a value, with its reason and who is in the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sitewright.planning_twin.scene import Pair
+from sitewright.robot_team.description import Joints
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoIk:
+    """No joint position puts the tip there.
+
+    Attributes:
+        is_proven: Out of reach for certain; False if a search budget ended.
+        extension_m: How far outside the reachable shell, if known (0 = inside).
+        tried: Freedoms that were tried (tilts, grasps ...).
+    """
+
+    is_proven: bool
+    extension_m: float = 0.0
+    tried: int = 1
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BlockedBy:
+    """Every joint position for the pose collides; `pairs` of the branch with the fewest."""
+
+    pairs: tuple[Pair, ...]
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoPath:
+    """The search budget ended without a path; never a proof."""
+
+    nodes: int
+    seeds: tuple[int, ...]
+    is_reproducible: bool = True
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NotClear:
+    """A path exists but could not be certified: this pair comes nearer than it may."""
+
+    pair: Pair
+    q_rad: Joints
+    distance_m: float
+    threshold_m: float
+    segment: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Disagreement:
+    """The independent engine saw a violation where the certificate saw none."""
+
+    pair: Pair
+    q_rad: Joints
+    distance_m: float
+    threshold_m: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoGrasp:
+    """No grasp serves pick, carry, place and steadying.
+
+    Attributes:
+        dropped_by: How many candidates each of the lists dropped.
+    """
+
+    is_proven: bool
+    candidates: int
+    dropped_by: tuple[tuple[str, int], ...] = ()
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PayloadExceeded:
+    """Too heavy, for every grasp."""
+
+    mass_kg: float
+    payload_kg: float
+    moment_nm: float = 0.0
+    moment_limit_nm: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WorkerFailed:
+    """The planning process died or ran out of memory."""
+
+    task: str
+    exit_status: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StaleCertificate:
+    """At execution: the same trajectory is not clear on the scene as sensed."""
+
+    cause: NotClear
+
+
+Refusal = (
+    NoIk | BlockedBy | NoPath | NotClear | Disagreement | NoGrasp | PayloadExceeded | WorkerFailed
+)

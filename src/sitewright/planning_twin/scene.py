@@ -1,0 +1,102 @@
+"""The jobsite as the planning twin sees it: robots, bodies, and who carries what."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+
+from sitewright.foundation.canonical import canonical_json, sha256_hex
+from sitewright.foundation.ids import BodyId, RobotId
+from sitewright.foundation.pose import Pose
+from sitewright.foundation.shapes import Shape
+from sitewright.robot_team.description import Description, Joints
+
+Pair = tuple[str, str]
+"""Two colliding things by name, sorted: a body id, or ``robot/link`` for a robot's own link."""
+
+
+def pair_of(a: str, b: str) -> Pair:
+    """Return the two names in the order in which every table keeps them."""
+    return (a, b) if a <= b else (b, a)
+
+
+def link_name(robot: RobotId, link: str) -> str:
+    """Return the name of a robot's link in pairs."""
+    return f"{robot}/{link}"
+
+
+@dataclass(frozen=True, slots=True)
+class Attachment:
+    """A body that moves with a robot's tip link (tool0)."""
+
+    robot: RobotId
+    tip_T_body: Pose
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Body:
+    """A rigid body: component, fixture, zone, end effector or one of its fingers.
+
+    Attributes:
+        shape: Convex pieces in the body frame.
+        placement: Where it stands in the world, or which robot carries it.
+    """
+
+    id: BodyId
+    shape: Shape
+    placement: Pose | Attachment
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RobotInScene:
+    """An arm with its posture."""
+
+    description: Description
+    world_T_base: Pose
+    q_rad: Joints
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneSnapshot:
+    """An immutable, picklable picture of the whole cell at one moment.
+
+    Two bodies that stand still never collide with each other here, and bodies carried by the
+    same robot are rigid to one another and to its tip link; all other pairs count.
+
+    Attributes:
+        clearance_m: Distance kept by every pair that no segment declares as a contact.
+    """
+
+    robots: Mapping[RobotId, RobotInScene]
+    bodies: Mapping[BodyId, Body]
+    clearance_m: float = 0.010
+
+    def with_joints(self, robot: RobotId, q_rad: Joints) -> SceneSnapshot:
+        """Return the scene with one robot in another posture."""
+        changed = replace(self.robots[robot], q_rad=q_rad)
+        return replace(self, robots={**self.robots, robot: changed})
+
+    def with_body(self, body: Body) -> SceneSnapshot:
+        """Return the scene with a body added, or replaced if its id is there."""
+        return replace(self, bodies={**self.bodies, body.id: body})
+
+    def without(self, *bodies: BodyId) -> SceneSnapshot:
+        """Return the scene without some bodies; unknown ids are no error."""
+        return replace(self, bodies={i: b for i, b in self.bodies.items() if i not in bodies})
+
+    def placed(self, body: BodyId, placement: Pose | Attachment) -> SceneSnapshot:
+        """Return the scene with a body moved, attached or set down."""
+        return self.with_body(replace(self.bodies[body], placement=placement))
+
+    def revision(self) -> str:
+        """SHA-256 over shapes, placements, joints and clearance."""
+        return sha256_hex(canonical_json(_plain(self)))
+
+
+def _plain(scene: SceneSnapshot) -> dict[str, object]:
+    robots = {
+        robot: [state.description.name, asdict(state.world_T_base), list(state.q_rad)]
+        for robot, state in scene.robots.items()
+    }
+    bodies = {i: [type(b.placement).__name__, asdict(b)] for i, b in scene.bodies.items()}
+    return {"robots": robots, "bodies": bodies, "clearance_m": scene.clearance_m}
