@@ -3,29 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import BodyId, ComponentId
-from sitewright.foundation.pose import Pose
-from sitewright.planning_twin.motion import Agreement, Certificate, TimedPath
-from sitewright.planning_twin.scene import Attachment
+from sitewright.foundation.ids import ComponentId
+from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.robot_team.skill import SkillCall
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PlannedMotion:
-    """One certified trajectory of a step.
-
-    Attributes:
-        scene_edits: What changes in the scene after this motion and before the next one of the
-            same step (a tool docked, a tool taken).
-    """
-
-    timed: TimedPath
-    certificate: Certificate
-    agreement: Agreement
-    scene_edits: Mapping[BodyId, Pose | Attachment] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from sitewright.foundation.canonical import canonical_json, sha256_hex
-from sitewright.foundation.ids import RobotId
+from sitewright.foundation.ids import BodyId, RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.refusal import BlockedBy, Disagreement, NoIk, NoPath, NotClear
-from sitewright.planning_twin.scene import Pair, SceneSnapshot
+from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot
 from sitewright.robot_team.description import Description, Joints
 from sitewright.robot_team.trajectory import Trajectory
 
@@ -138,6 +138,21 @@ class Agreement:
     engine: str
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlannedMotion:
+    """One certified trajectory of a step.
+
+    Attributes:
+        scene_edits: What changes in the scene after this motion and before the next one of the
+            same step (a tool docked, a tool taken).
+    """
+
+    timed: TimedPath
+    certificate: Certificate
+    agreement: Agreement
+    scene_edits: Mapping[BodyId, Pose | Attachment] = field(default_factory=dict)
+
+
 class Kinematics(Protocol):
     """Forward and inverse kinematics of one description."""
 
@@ -209,3 +224,15 @@ class CrossCheck(Protocol):
     def check(self, scene: SceneSnapshot, timed: TimedPath) -> Agreement | Disagreement:
         """Sample the trajectory every 0.005 rad and 10 ms and compare distances with thresholds."""
         ...
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlanningBackends:
+    """The engines behind the ports, as one value to pass around."""
+
+    kinematics: Kinematics
+    collision: CollisionCheck
+    planner: MotionPlanner
+    certifier: Certifier
+    timer: Timer
+    cross_check: CrossCheck

@@ -1,0 +1,155 @@
+"""The straight last part of a motion: from a pre-pose to contact, and its way back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from sitewright.foundation.ids import RobotId
+from sitewright.foundation.pose import Pose, Vector
+from sitewright.planning_twin.jobsite import lifted
+from sitewright.planning_twin.motion import PathSegment, PlanningBackends
+from sitewright.planning_twin.refusal import BlockedBy, NoIk
+from sitewright.planning_twin.scene import Pair, SceneSnapshot
+from sitewright.planning_twin.straight import straight_line
+from sitewright.robot_team.description import Joints
+
+NEAR_M = 0.030
+"""Declared contacts may be touched only on the last (first) stretch of this length."""
+PRE_M = 0.120
+"""The pre-pose stands this far off the contact pose."""
+CONTACT_M = -0.001
+"""Threshold of a declared contact: sensed poses may overlap by this much."""
+NEIGHBOUR_M = 0.001
+"""Threshold of a declared neighbour: near, but never touching."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Touch:
+    """A tip pose in contact, and how the robot comes to it.
+
+    Attributes:
+        world_T_tip: Pose of the robot's tip (tool0) in contact.
+        back_off: World direction, from contact to pre-pose.
+        near_m: Thresholds on the last stretch: declared contacts and neighbours.
+        free_m: Thresholds on the rest: contacts that do not move, if any.
+        label: Freedoms chosen, for people: ``tilt 2.5 deg to +x``.
+    """
+
+    world_T_tip: Pose
+    back_off: Vector
+    near_m: Mapping[Pair, float] = field(default_factory=dict)
+    free_m: Mapping[Pair, float] = field(default_factory=dict)
+    distance_m: float = PRE_M
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Approach:
+    """Joint-space lines from the pre-pose to the contact posture.
+
+    Attributes:
+        segments: From the pre-pose inwards: free stretch, near stretch.
+    """
+
+    touch: Touch
+    segments: tuple[PathSegment, ...]
+
+    @property
+    def pre_rad(self) -> Joints:
+        """Posture at the pre-pose."""
+        return self.segments[0].waypoints_rad[0]
+
+    @property
+    def contact_rad(self) -> Joints:
+        """Posture in contact."""
+        return self.segments[-1].waypoints_rad[-1]
+
+    def outwards(self) -> tuple[PathSegment, ...]:
+        """Return the same lines from contact to pre-pose."""
+        return tuple(
+            PathSegment(waypoints_rad=s.waypoints_rad[::-1], threshold_m=s.threshold_m)
+            for s in reversed(self.segments)
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reaching:
+    """Who reaches, in which scene, and with what."""
+
+    backends: PlanningBackends
+    scene: SceneSnapshot
+    robot: RobotId
+
+    def solve(self, world_T_tip: Pose, near_rad: Joints) -> tuple[Joints, ...] | NoIk:
+        """Return all postures for a tip pose, the nearest first."""
+        arm = self.scene.robots[self.robot]
+        base_T_tip = arm.world_T_base.inverse() @ world_T_tip
+        return self.backends.kinematics.solve(arm.description, base_T_tip, near_rad)
+
+    def violations(
+        self, q_rad: Joints, threshold_m: Mapping[Pair, float], *, is_padded: bool = False
+    ) -> tuple[Pair, ...]:
+        """Return the pairs that are too near at a posture."""
+        return self.backends.collision.violations(
+            self.scene, self.robot, q_rad, threshold_m, is_padded=is_padded
+        )
+
+    def line(self, start: Pose, end: Pose, near_rad: Joints) -> tuple[Joints, ...] | NoIk:
+        """Return a straight tip line as joint waypoints, from `start` at `near_rad`."""
+        return straight_line(
+            self.backends.kinematics, self.scene.robots[self.robot], start, end, near_rad
+        )
+
+
+def approaches(
+    reaching: Reaching, touch: Touch, near_rad: Joints
+) -> list[Approach] | NoIk | BlockedBy:
+    """Return every clear approach to a touch, the nearest posture first, or why there is none.
+
+    Args:
+        reaching: Robot, scene and backends.
+        touch: The contact pose with its freedoms fixed.
+        near_rad: Posture that the motion comes from.
+    """
+    postures = reaching.solve(touch.world_T_tip, near_rad)
+    if isinstance(postures, NoIk):
+        return postures
+    found: list[Approach] = []
+    blocked: list[tuple[Pair, ...]] = []
+    lost: NoIk | None = None
+    for contact_rad in postures:
+        pairs = reaching.violations(contact_rad, touch.near_m)
+        if pairs:
+            blocked.append(pairs)
+            continue
+        approach = straight_approach(reaching, touch, contact_rad)
+        if isinstance(approach, NoIk):
+            lost = approach
+        elif pairs := reaching.violations(approach.pre_rad, touch.free_m, is_padded=True):
+            blocked.append(pairs)
+        else:
+            found.append(approach)
+    return found or _why_not(blocked, lost)
+
+
+def straight_approach(reaching: Reaching, touch: Touch, contact_rad: Joints) -> Approach | NoIk:
+    """Return the line from the pre-pose into one contact posture; collisions are not looked at."""
+    near_pose = lifted(touch.world_T_tip, touch.back_off, min(NEAR_M, touch.distance_m))
+    near = reaching.line(touch.world_T_tip, near_pose, contact_rad)
+    if isinstance(near, NoIk):
+        return near
+    segments = [PathSegment(waypoints_rad=near[::-1], threshold_m=dict(touch.near_m))]
+    if touch.distance_m > NEAR_M:
+        pre_pose = lifted(touch.world_T_tip, touch.back_off, touch.distance_m)
+        free = reaching.line(near_pose, pre_pose, near[-1])
+        if isinstance(free, NoIk):
+            return free
+        segments.insert(0, PathSegment(waypoints_rad=free[::-1], threshold_m=dict(touch.free_m)))
+    return Approach(touch=touch, segments=tuple(segments))
+
+
+def _why_not(blocked: list[tuple[Pair, ...]], lost: NoIk | None) -> NoIk | BlockedBy:
+    if blocked:
+        return BlockedBy(pairs=min(blocked, key=len))
+    return lost or NoIk(is_proven=False, reason="no branch of the inverse kinematics holds")
