@@ -1,0 +1,283 @@
+"""Ports of the run: who proposes, who approves, who checks again before a step starts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Protocol
+
+from sitewright.central_controller.proposal import Proposal, ProposedStep
+from sitewright.central_controller.site_state import SiteState
+from sitewright.foundation.ids import ComponentId, RunId
+from sitewright.planning_twin.motion import Certificate
+from sitewright.planning_twin.refusal import StaleCertificate
+from sitewright.robot_team.driver import Observation
+from sitewright.robot_team.skill import SkillCall
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SiteContext:
+    """What a planner starts from.
+
+    Attributes:
+        site: Fold of design and journal; `site.serial` goes into the proposal, and
+            `site.rejections` are wishes to be respected.
+        observation: The cell as sensed just now.
+    """
+
+    run: RunId
+    site: SiteState
+    observation: Observation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RefusalNote:
+    """A refusal that was met while planning, in words.
+
+    Attributes:
+        kind: Class of the refusal, e.g. ``NoIk``, ``BlockedBy``, ``NoPlan``.
+    """
+
+    target: ComponentId
+    kind: str
+    reason: str
+    is_proven: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Planned:
+    """A proposal is ready.
+
+    Attributes:
+        attachments: Texts for the run folder's ``pddl/``: ``domain``, ``problem``, ``plan``.
+        refusals: Those met on the way to it.
+        timing_s: ``symbolic``, ``motion``, ``certificate`` and ``total``.
+    """
+
+    proposal: Proposal
+    attachments: Mapping[str, str] = field(default_factory=dict)
+    refusals: tuple[RefusalNote, ...] = ()
+    timing_s: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Escalation:
+    """The planner cannot go on with a target; a person is needed.
+
+    Attributes:
+        reason: The minimal reason and what would help, in sentences.
+        exit_code: 4 proven that no plan exists, 5 a limit was reached, 6 no motion.
+    """
+
+    target: ComponentId
+    reason: str
+    is_proven: bool
+    exit_code: int = 6
+    attachments: Mapping[str, str] = field(default_factory=dict)
+    refusals: tuple[RefusalNote, ...] = ()
+    timing_s: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class NothingToDo:
+    """No target is left that is neither installed nor set aside."""
+
+
+ProposalOutcome = Planned | Escalation | NothingToDo
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Alternative:
+    """Another skill call that could come next.
+
+    Attributes:
+        duration_s: Estimated time of the call.
+        price_s: How much longer the whole target takes than by the proposal; None if the
+            target cannot be reached any more after it, or if nobody has computed it.
+        note: Why it is dear or leads nowhere; empty if there is nothing to say.
+    """
+
+    call: SkillCall
+    duration_s: float = 0.0
+    price_s: float | None = None
+    leads_nowhere: bool = False
+    note: str = ""
+
+
+class ProposalSource(Protocol):
+    """Makes proposals for the front target of the site."""
+
+    def propose(
+        self, context: SiteContext, *, exclude: frozenset[ComponentId] = frozenset()
+    ) -> ProposalOutcome:
+        """Plan the next target that is not in `exclude`, from the site as sensed.
+
+        A target that has its piece in place and lacks operations, a piece in a gripper, and
+        robots away from their stations are normal starts: plans go on from there.
+        """
+        ...
+
+    def alternatives(self, context: SiteContext) -> tuple[Alternative, ...]:
+        """Return the skill calls that are applicable now, the cheapest first."""
+        ...
+
+    def propose_single(self, context: SiteContext, call: SkillCall) -> ProposalOutcome:
+        """Plan the motion of one chosen call as a proposal of one step."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class StillClear:
+    """The step's motions were certified again on the scene as sensed."""
+
+    certificates: tuple[Certificate, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class FactsChanged:
+    """Facts that the step relies on do not hold any more."""
+
+    facts: tuple[str, ...]
+
+
+class StartCheck(Protocol):
+    """Checks a step once more on what is sensed, right before it starts."""
+
+    def check(
+        self, step: ProposedStep, context: SiteContext
+    ) -> StillClear | StaleCertificate | FactsChanged:
+        """Evaluate `relies_on` and certify the same motions on the scene built from `context`."""
+        ...
+
+
+class ScopeKind(StrEnum):
+    """How much of a proposal an approval covers."""
+
+    PLAN = "plan"
+    UNTIL = "until"
+    STEP = "step"
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """All steps, the steps up to `step`, or just `step`."""
+
+    kind: ScopeKind = ScopeKind.PLAN
+    step: int = 0
+
+    def covers(self, number: int) -> bool:
+        """Return whether a step may run under this scope."""
+        match self.kind:
+            case ScopeKind.PLAN:
+                return True
+            case ScopeKind.UNTIL:
+                return number <= self.step
+            case ScopeKind.STEP:
+                return number == self.step
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ApprovalRequest:
+    """What a person (or a policy) is asked.
+
+    Attributes:
+        proposal: All steps; those before `next_step` are done.
+        fingerprint: SHA-256 of exactly what will run.
+        code: Its check code for the eye, ``7KQ2-M9TD``.
+        is_single: It is one chosen step; it is confirmed once and needs no other way.
+        alternatives: Computes the other feasible actions when called (may take a second).
+        refusals: Those met while planning.
+        why: Why this is asked anew (deviation, expiry ...); empty the first time.
+    """
+
+    proposal: Proposal
+    fingerprint: str
+    code: str
+    next_step: int
+    is_single: bool
+    alternatives: Callable[[], tuple[Alternative, ...]]
+    refusals: tuple[RefusalNote, ...] = ()
+    why: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Approve:
+    """Yes, to the fingerprint that was shown.
+
+    Attributes:
+        fingerprint: The one that was shown; another one in memory makes the answer stale.
+        who: Name of the person or policy.
+    """
+
+    fingerprint: str
+    who: str
+    scope: Scope = Scope()
+    comment: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reject:
+    """No; `reason` is one of the words of `Rejection`, `step` 0 is the whole plan."""
+
+    who: str
+    reason: str
+    detail: str = ""
+    step: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DoInstead:
+    """One of the alternatives first; it comes back as a proposal of one step."""
+
+    who: str
+    call: SkillCall
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Hold:
+    """Stop here; the next run goes on."""
+
+    who: str
+    reason: str = ""
+
+
+ApprovalAnswer = Approve | Reject | DoInstead | Hold
+
+
+class Answer(StrEnum):
+    """What a person says about a skill whose outcome nobody knows."""
+
+    DONE = "done"
+    NOT_DONE = "not-done"
+    PARTIAL = "partial"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Question:
+    """An unknown outcome that only a person can settle.
+
+    Attributes:
+        step: Number of the step in its proposal, as ``sitewright resolve`` takes it.
+        text: The question in one sentence.
+    """
+
+    question_id: str
+    run: RunId
+    step: int
+    command_id: str
+    call: SkillCall
+    target: ComponentId
+    text: str
+
+
+class Approver(Protocol):
+    """Who says yes or no."""
+
+    def ask(self, request: ApprovalRequest) -> ApprovalAnswer:
+        """Show a proposal and return the answer; blocks until there is one."""
+        ...
+
+    def answer(self, question: Question) -> Answer | None:
+        """Ask about an unknown outcome; None if nobody is there to say (``auto`` never knows)."""
+        ...
