@@ -45,8 +45,10 @@ class CommandState(StrEnum):
 
     NEVER = "never"
     """Not in the ledger: it never started and never will with an older epoch."""
+    RUNNING = "running"
+    """It is being executed right now; its outcome will come, so ask again."""
     ACCEPTED = "accepted"
-    """Started; its end is not recorded."""
+    """Started by a driver that died since; its end is not recorded and never will be."""
     ENDED = "ended"
 
 
