@@ -1,0 +1,73 @@
+"""The shape of an end effector in the frame of its mount, with its fingers where they are."""
+
+from __future__ import annotations
+
+from sitewright.foundation.pose import Pose
+from sitewright.foundation.shapes import Shape, moved
+from sitewright.robot_team.description import Description, Joint, JointKind
+from sitewright.robot_team.kinematics import link_poses, tip_pose
+
+_SLACK_M = 1e-6
+"""An aperture may miss the fingers' travel by this much, so that sensed values pass."""
+
+
+def finger_parts(description: Description, aperture_m: float) -> dict[str, Shape]:
+    """Return each finger's shape in the mount frame, by name (``left``, ``right``).
+
+    Args:
+        description: An end effector; one without prismatic joints has no fingers.
+        aperture_m: Distance between the pads; a value beyond the fingers' travel is a ValueError.
+    """
+    mount_T_link = _opened(description, aperture_m)
+    return {
+        joint.name.removeprefix("finger_"): _shape_of(description, joint.child, mount_T_link)
+        for joint in _fingers(description)
+    }
+
+
+def palm_shape(description: Description) -> Shape:
+    """Return the shape of what does not move with a finger, in the mount frame."""
+    return _shape_of(description, description.root, _opened(description, 0.0))
+
+
+def shape_at(description: Description, aperture_m: float) -> Shape:
+    """Return the whole end effector in the mount frame; a tool ignores the aperture."""
+    fingers = finger_parts(description, aperture_m)
+    return sum(fingers.values(), start=palm_shape(description))
+
+
+def mount_T_tcp(description: Description) -> Pose:  # noqa: N802
+    """Return the tip frame in the mount frame; a gripper's does not move with its fingers."""
+    return tip_pose(description, (0.0,) * len(description.movable_joints))
+
+
+def _fingers(description: Description) -> list[Joint]:
+    return [j for j in description.joints if j.kind is JointKind.PRISMATIC]
+
+
+def _opened(description: Description, aperture_m: float) -> dict[str, Pose]:
+    for joint in _fingers(description):
+        if not joint.lower_rad - _SLACK_M <= aperture_m / 2.0 <= joint.upper_rad + _SLACK_M:
+            raise ValueError(
+                f"{description.name} opens from {2.0 * joint.lower_rad:.3f} to "
+                f"{2.0 * joint.upper_rad:.3f} m, not {aperture_m:.3f} m"
+            )
+    q = tuple(
+        aperture_m / 2.0 if j.kind is JointKind.PRISMATIC else 0.0
+        for j in description.movable_joints
+    )
+    return link_poses(description, q)
+
+
+def _shape_of(description: Description, first: str, mount_T_link: dict[str, Pose]) -> Shape:
+    """Return the shapes of a link and of all that is fixed to it."""
+    rigid = {first}
+    for joint in description.joints:
+        if joint.kind is JointKind.FIXED and joint.parent in rigid:
+            rigid.add(joint.child)
+    return tuple(
+        part
+        for link in description.links
+        if link.name in rigid
+        for part in moved(link.shape, mount_T_link[link.name])
+    )
