@@ -72,11 +72,11 @@ def _leaning(
 ) -> Iterator[tuple[Pose, str]]:
     stand_off_m = tool.nose_half_width_m * math.sin(tilt)
     shift = scale(world_T_operation.z_axis, -stand_off_m)
-    placed = Pose(
-        add(world_T_operation.position_m, shift), world_T_operation.quaternion_wxyz
-    )
+    placed = Pose(add(world_T_operation.position_m, shift), world_T_operation.quaternion_wxyz)
     for k in range(_DIRECTIONS if tilt else 1):
         bearing = 2.0 * math.pi * k / _DIRECTIONS
         axis = (math.cos(bearing), math.sin(bearing), 0.0)
-        label = f"tilt {tilt_deg:g} deg about {math.degrees(bearing):.0f} deg" if tilt else "upright"
+        label = (
+            f"tilt {tilt_deg:g} deg about {math.degrees(bearing):.0f} deg" if tilt else "upright"
+        )
         yield placed @ rotation(axis, tilt), label

@@ -70,6 +70,16 @@ def grasps_of(piece: PieceShape, tool: EndEffector, world_T_piece: Pose) -> list
     return sorted(found, key=lambda g: g.cost)
 
 
+def grasp_in_use(tool: EndEffector, tip_T_held: Pose, width_m: float) -> Grasp:
+    """Return the grasp by which a robot holds a piece already."""
+    return Grasp(
+        piece_T_tcp=tip_T_held.inverse() @ mount_T_tcp(tool.description),
+        width_m=width_m,
+        open_m=min(tool.opens_to_m, width_m + 2 * _OPENING_MARGIN_M),
+        cost=0.0,
+    )
+
+
 def _from_side(
     piece: PieceShape, tool: EndEffector, approach: Vector, axis: int, closing: int
 ) -> Iterator[Grasp]:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, RobotId, StationId
 from sitewright.foundation.pose import Pose, Vector, translation
 from sitewright.foundation.shapes import Shape
+from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.scene import Attachment, Body, RobotInScene, SceneSnapshot
-from sitewright.robot_team.cell import Cell, EndEffector, EndEffectorKind
+from sitewright.robot_team.cell import Cell, EndEffector, EndEffectorKind, Robot
 from sitewright.robot_team.description import Joints
 from sitewright.robot_team.gripper import finger_parts, palm_shape
+
+_SAME_DIAMETER_M = 0.00005
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,13 +98,12 @@ def end_effector_bodies(
         placement: World pose of its mount, or the robot whose tip carries it.
         aperture_m: Opening between the fingers.
     """
-    bodies = [
-        Body(id=BodyId(tool.id), shape=palm_shape(tool.description), placement=placement)
-    ]
+    bodies = [Body(id=BodyId(tool.id), shape=palm_shape(tool.description), placement=placement)]
     if tool.kind is EndEffectorKind.GRIPPER:
+        within = min(max(aperture_m, 0.0), tool.opens_to_m)
         bodies += [
             Body(id=finger_body(tool.id, name), shape=shape, placement=placement)
-            for name, shape in finger_parts(tool.description, aperture_m).items()
+            for name, shape in finger_parts(tool.description, within).items()
         ]
     return bodies
 
@@ -129,6 +131,42 @@ def world_T_dock(cell: Cell, tool: EndEffector) -> Pose:
     if tool.station is None:
         raise ValueError(f"end effector {tool.id!r} has no tool station")
     return cell.station_by_id[tool.station].world_T_station @ tool.station_T_mount
+
+
+def with_tool(site: Jobsite, robot: RobotId, tool: EndEffector) -> Jobsite:
+    """Return the site as it is when a robot has changed to an end effector."""
+    arm = site.arms[robot]
+    if arm.mounted == tool.id:
+        return site
+    docked = {i: s for i, s in site.docked.items() if i != tool.id}
+    if arm.mounted is not None and (old := site.cell.end_effector_by_id[arm.mounted]).station:
+        docked[old.id] = old.station
+    changed = replace(arm, mounted=tool.id, aperture_m=0.0)
+    return replace(site, arms={**site.arms, robot: changed}, docked=docked)
+
+
+def tool_for(site: Jobsite, robot: Robot, spot: Spot) -> EndEffector | None:
+    """Return the tool with which a robot does an operation: the mounted one if it fits."""
+    mounted = site.arms[robot.id].mounted
+    order = sorted(robot.end_effectors, key=lambda i: (i != mounted, i))
+    for tool_id in order:
+        tool = site.cell.end_effector_by_id[tool_id]
+        if tool_id != mounted and tool_id not in site.docked:
+            continue
+        if spot.process in tool.processes and drives(tool, spot):
+            return tool
+    return None
+
+
+def drives(tool: EndEffector, spot: Spot) -> bool:
+    """Tell whether a fastener is in a tool's range; a finish needs none."""
+    fastener = spot.fastener
+    return fastener is None or any(
+        r.type == fastener.type
+        and abs(r.d_m - fastener.d_m) < _SAME_DIAMETER_M
+        and r.l_min_m <= fastener.l_m <= r.l_max_m
+        for r in tool.fasteners
+    )
 
 
 def _fixed_bodies(site: Jobsite) -> list[Body]:

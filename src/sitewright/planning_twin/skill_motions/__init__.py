@@ -1,0 +1,1 @@
+"""How each skill becomes certified motion: one file per family of skills."""

@@ -1,0 +1,200 @@
+"""Builds one planned motion: search, proof, timing and second opinion, in this order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+
+from sitewright.foundation.ids import RobotId
+from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.approach import Approach, Reaching, Touch, approaches
+from sitewright.planning_twin.free_motion import plan_free_motion
+from sitewright.planning_twin.jobsite import scene_of
+from sitewright.planning_twin.motion import (
+    Certificate,
+    JointLimits,
+    JointPath,
+    PathSegment,
+    PlannedMotion,
+)
+from sitewright.planning_twin.refusal import (
+    BlockedBy,
+    Disagreement,
+    NoIk,
+    NoPath,
+    NotClear,
+    Refusal,
+)
+from sitewright.planning_twin.scene import Pair, SceneSnapshot
+from sitewright.planning_twin.skill_motions.stage import Stage, resting_contacts
+from sitewright.robot_team.cell import Robot
+from sitewright.robot_team.description import Joints
+
+_MOST_MOTIONS = 4
+"""So many approaches get a path search before the skill is refused."""
+_JERK_PER_ACCELERATION_HZ = 10.0
+_SAME_POSTURE_RAD = 1e-6
+
+
+def limits_of(robot: Robot, speed: float = 1.0) -> JointLimits:
+    """Return a robot's joint limits, velocities scaled by `speed`."""
+    return JointLimits(
+        velocity_rad_s=tuple(j.velocity_rad_s * speed for j in robot.description.movable_joints),
+        acceleration_rad_s2=robot.max_acceleration_rad_s2,
+        jerk_rad_s3=tuple(a * _JERK_PER_ACCELERATION_HZ for a in robot.max_acceleration_rad_s2),
+    )
+
+
+def finished_motion(
+    stage: Stage,
+    robot: RobotId,
+    scene: SceneSnapshot,
+    segments: tuple[PathSegment, ...],
+    *,
+    speed: float = 1.0,
+) -> PlannedMotion | NotClear | Disagreement:
+    """Certify, time and cross-check a path."""
+    backends = stage.context.backends
+    path = JointPath(robot=robot, segments=segments)
+    certificate = backends.certifier.certify(scene, path)
+    if isinstance(certificate, NotClear):
+        return certificate
+    return _timed(stage, scene, path, certificate, speed)
+
+
+def _timed(
+    stage: Stage, scene: SceneSnapshot, path: JointPath, certificate: Certificate, speed: float
+) -> PlannedMotion | Disagreement:
+    backends = stage.context.backends
+    timed = backends.timer.time(path, limits_of(stage.robot(path.robot), speed))
+    opinion = backends.cross_check.check(scene, timed)
+    if isinstance(opinion, Disagreement):
+        return opinion
+    return PlannedMotion(timed=timed, certificate=certificate, agreement=opinion)
+
+
+def move_to(
+    stage: Stage, robot: RobotId, goal_rad: Joints, tail: tuple[PathSegment, ...] = ()
+) -> PlannedMotion | Refusal:
+    """Plan from where a robot stands to a posture, then along `tail`.
+
+    Args:
+        stage: The site now.
+        robot: Who moves; what it holds moves along.
+        goal_rad: End of the free motion, start of the tail.
+        tail: Straight approach that follows.
+    """
+    scene = scene_of(stage.site)
+    resting = resting_contacts(stage, robot)
+    free = _free_segments(stage, scene, robot, goal_rad, resting)
+    if not isinstance(free, tuple):
+        return free
+    segments = free + tuple(_with_resting(s, resting) for s in tail)
+    return finished_motion(stage, robot, scene, segments or (_standing(goal_rad, resting),))
+
+
+def _standing(q_rad: Joints, resting: Mapping[Pair, float]) -> PathSegment:
+    return PathSegment(waypoints_rad=(q_rad, q_rad), threshold_m=resting)
+
+
+def _free_segments(
+    stage: Stage,
+    scene: SceneSnapshot,
+    robot: RobotId,
+    goal_rad: Joints,
+    resting: Mapping[Pair, float],
+) -> tuple[PathSegment, ...] | BlockedBy | NoPath | NotClear:
+    start_rad = scene.robots[robot].q_rad
+    if max(abs(a - b) for a, b in zip(start_rad, goal_rad, strict=True)) < _SAME_POSTURE_RAD:
+        return ()
+    found = plan_free_motion(
+        stage.context.backends, scene, robot, goal_rad, resting, seed=stage.context.seed
+    )
+    return found if not hasattr(found, "segment") else (found.segment,)
+
+
+def _with_resting(segment: PathSegment, resting: Mapping[Pair, float]) -> PathSegment:
+    return replace(segment, threshold_m={**resting, **segment.threshold_m})
+
+
+def reach_any(
+    stage: Stage,
+    robot: RobotId,
+    touches: Iterable[Touch],
+    *,
+    serves: Callable[[Reaching, Approach], bool] = lambda _reaching, _approach: True,
+) -> tuple[PlannedMotion, Approach] | Refusal:
+    """Plan to the first contact pose that can be reached, trying the cheapest freedoms first.
+
+    Args:
+        stage: The site now.
+        robot: Who reaches.
+        touches: Contact poses in order of preference.
+        serves: What the approach must also allow, e.g. the strokes that follow.
+    """
+    resting = resting_contacts(stage, robot)
+    reaching = stage.reaching(robot)
+    refusals: list[Refusal] = []
+    motions = 0
+    for touch in touches:
+        declared = replace(
+            touch,
+            near_m={**resting, **touch.near_m},
+            free_m={**resting, **touch.free_m},
+        )
+        found = approaches(reaching, declared, stage.q_rad(robot))
+        if not isinstance(found, list):
+            refusals.append(found)
+            continue
+        serving = [a for a in found if serves(reaching, a)]
+        if not serving:
+            refusals.append(NoIk(is_proven=False, reason="no posture serves what follows"))
+        for approach in serving[:2]:
+            motion = move_to(stage, robot, approach.pre_rad, approach.segments)
+            if isinstance(motion, PlannedMotion):
+                return motion, approach
+            refusals.append(motion)
+            motions += 1
+            if motions >= _MOST_MOTIONS:
+                return most_telling(refusals)
+    return most_telling(refusals)
+
+
+def move_to_any(stage: Stage, robot: RobotId, world_T_tip: Pose) -> PlannedMotion | Refusal:
+    """Plan a free motion to a tip pose that touches nothing."""
+    reaching = stage.reaching(robot)
+    postures = reaching.solve(world_T_tip, stage.q_rad(robot))
+    if isinstance(postures, NoIk):
+        return postures
+    resting = resting_contacts(stage, robot)
+    refusals: list[Refusal] = []
+    for q_rad in postures:
+        if pairs := reaching.violations(q_rad, resting, is_padded=True):
+            refusals.append(BlockedBy(pairs=pairs))
+            continue
+        motion = move_to(stage, robot, q_rad)
+        if isinstance(motion, PlannedMotion):
+            return motion
+        refusals.append(motion)
+        if len(refusals) >= _MOST_MOTIONS:
+            break
+    return most_telling(refusals)
+
+
+def most_telling(refusals: list[Refusal]) -> Refusal:
+    """Return the refusal that says most: who is in the way before an exhausted search."""
+    blocked = [r for r in refusals if isinstance(r, BlockedBy)]
+    if blocked:
+        return min(blocked, key=lambda r: len(r.pairs))
+    searched = [r for r in refusals if not isinstance(r, NoIk)]
+    if searched:
+        return searched[-1]
+    unreachable = [r for r in refusals if isinstance(r, NoIk)]
+    if not unreachable:
+        return NoIk(is_proven=False, tried=0, reason="there was no pose to try")
+    return NoIk(
+        is_proven=all(r.is_proven for r in unreachable),
+        extension_m=min(r.extension_m for r in unreachable),
+        tried=sum(r.tried for r in unreachable),
+        reason=unreachable[0].reason,
+    )

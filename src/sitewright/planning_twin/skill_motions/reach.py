@@ -1,0 +1,137 @@
+"""Reach: free motion and straight approach into the contact pose of a place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, RobotId, StationId
+from sitewright.foundation.pose import Pose, translation
+from sitewright.planning_twin.approach import Approach, Reaching, Touch
+from sitewright.planning_twin.fastening import Spot, tool_poses
+from sitewright.planning_twin.jobsite import world_T_dock
+from sitewright.planning_twin.motion import PlannedMotion
+from sitewright.planning_twin.refusal import NoGrasp, NoIk, Refusal
+from sitewright.planning_twin.skill_motions.finish import covers_patch, first_touches
+from sitewright.planning_twin.skill_motions.moving import move_to, move_to_any, reach_any
+from sitewright.planning_twin.skill_motions.stage import (
+    PlannedSkill,
+    SkillRefusal,
+    Stage,
+    with_joints,
+)
+from sitewright.planning_twin.skill_motions.tool_change import above_dock
+from sitewright.planning_twin.touches import pick_touch, place_touch, set_down_touch, spot_touch
+from sitewright.robot_team.cell import StationKind
+from sitewright.robot_team.skill import Skill, SkillCall
+
+
+def plan_reach(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
+    """Plan the motion to a place; which contact pose it means follows from what comes next."""
+    (place,) = call.arguments
+    found = _motion(stage, call.robot, place)
+    if not isinstance(found, PlannedMotion):
+        return SkillRefusal(call=call, refusal=found)
+    site = with_joints(stage.site, call.robot, found.timed.path.end_rad)
+    return PlannedSkill(motions=(found,), params={}, site_after=site)
+
+
+def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Refusal:
+    station = stage.context.cell.station_by_id.get(StationId(place))
+    if station is not None and station.kind is StationKind.PREPARATION:
+        return move_to(stage, robot, stage.robot(robot).home_q_rad)
+    if station is not None and station.kind is StationKind.TOOL:
+        return _above_dock(stage, robot)
+    touches = _touches(stage, robot, place)
+    if not isinstance(touches, list | Iterator):
+        return touches
+    spot = stage.context.task.spot(place)
+    found = reach_any(stage, robot, touches, serves=partial(_serves, spot))
+    return found[0] if isinstance(found, tuple) else found
+
+
+def _serves(spot: Spot | None, reaching: Reaching, approach: Approach) -> bool:
+    """Tell whether the strokes of a finish can follow; other places ask for nothing more."""
+    return spot is None or spot.patch is None or covers_patch(reaching, spot, approach)
+
+
+def _touches(stage: Stage, robot: RobotId, place: str) -> Iterator[Touch] | list[Touch] | Refusal:
+    task, arm = stage.context.task, stage.site.arms[robot]
+    spot = task.spot(place)
+    if spot is not None:
+        return _spot_touches(stage, robot, spot)
+    piece = arm.held or _piece_to_grasp(stage, robot, place)
+    holding = None if piece is None else stage.holding(robot, piece)
+    if piece is None or holding is None:
+        return NoGrasp(is_proven=False, candidates=0, reason=f"nothing to do at {place}")
+    tool = stage.tool(robot)
+    if arm.held is None:
+        at = stage.site.world_T_piece[piece]
+        return [pick_touch(task, tool, piece, at, holding.grasp)]
+    if place == task.target:
+        insertion = task.insertions[holding.insertion]
+        return [place_touch(task, tool, piece, holding.grasp, insertion)]
+    return _set_down_touches(stage, robot, piece, place)
+
+
+def _piece_to_grasp(stage: Stage, robot: RobotId, place: str) -> ComponentId | None:
+    for call in stage.upcoming:
+        if call.robot == robot and call.skill == Skill.GRASP and call.arguments[1] == place:
+            return ComponentId(call.arguments[0])
+    return None
+
+
+def _set_down_touches(
+    stage: Stage, robot: RobotId, piece: ComponentId, place: str
+) -> list[Touch] | Refusal:
+    task = stage.context.task
+    world_T_surface = task.buffers.get(place)
+    holding = stage.holding(robot, piece)
+    if world_T_surface is None or holding is None:
+        return NoIk(is_proven=False, reason=f"nothing can be set down at {place}")
+    pose = lying_on(stage, piece, place)
+    tool = stage.tool(robot)
+    fixtures = tuple(BodyId(f) for f in stage.context.cell.fixture_by_id)
+    return [set_down_touch(pose, tool, piece, holding.grasp, touches=fixtures)]
+
+
+def lying_on(stage: Stage, piece: ComponentId, place: str) -> Pose:
+    """Return the pose of a piece that lies on a buffer's surface, along its x axis."""
+    surface = stage.context.task.buffers[place]
+    height_m = stage.site.pieces[piece].size_m[2]
+    return surface @ translation(0.0, 0.0, height_m / 2.0)
+
+
+def _spot_touches(stage: Stage, robot: RobotId, spot: Spot) -> Iterator[Touch]:
+    tool = stage.tool(robot)
+    piece = placed_piece(stage)
+    if spot.patch is not None:
+        yield from first_touches(spot, tool, piece)
+        return
+    for pose in tool_poses(spot, tool, has_yaw=False):
+        yield spot_touch(tool, piece, pose)
+
+
+def placed_piece(stage: Stage) -> ComponentId:
+    """Return the piece that stands, or is held, at the target."""
+    task = stage.context.task
+    if task.placed is None:
+        raise ValueError(f"no piece is in place at {task.target}")
+    return task.placed
+
+
+def _above_dock(stage: Stage, robot: RobotId) -> PlannedMotion | Refusal:
+    """Move over the dock that the coming change begins at."""
+    change = _coming_change(stage, robot)
+    if change is None:
+        return NoIk(is_proven=False, reason="no tool change follows at this station")
+    known = stage.context.cell.end_effector_by_id
+    first = next(known[EndEffectorId(i)] for i in change.arguments[:2] if i in known)
+    return move_to_any(stage, robot, above_dock(world_T_dock(stage.context.cell, first)))
+
+
+def _coming_change(stage: Stage, robot: RobotId) -> SkillCall | None:
+    changes = (
+        c for c in stage.upcoming if c.robot == robot and c.skill == Skill.CHANGE_END_EFFECTOR
+    )
+    return next(changes, None)

@@ -1,0 +1,136 @@
+"""Retract: straight out of contact, and on to a parking posture if nothing follows at once."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sitewright.foundation.ids import BodyId, RobotId
+from sitewright.foundation.pose import scale
+from sitewright.planning_twin.approach import CONTACT_M, Approach, Touch, straight_approach
+from sitewright.planning_twin.jobsite import bodies_of_tool, scene_of
+from sitewright.planning_twin.motion import PathSegment, PlannedMotion
+from sitewright.planning_twin.refusal import NoIk, Refusal
+from sitewright.planning_twin.skill_motions.moving import finished_motion, move_to
+from sitewright.planning_twin.skill_motions.stage import (
+    PlannedSkill,
+    SkillRefusal,
+    Stage,
+    resting_contacts,
+    with_joints,
+)
+from sitewright.planning_twin.task import UP, declared
+from sitewright.planning_twin.touches import lift_thresholds
+from sitewright.robot_team.cell import StationKind
+from sitewright.robot_team.gripper import mount_T_tcp
+from sitewright.robot_team.skill import Skill, SkillCall
+
+
+def plan_retract(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
+    """Plan the way out of a place; a robot that has nothing to do next goes and parks."""
+    out = _way_out(stage, call)
+    if not isinstance(out, tuple):
+        return SkillRefusal(call=call, refusal=out)
+    is_followed = _is_followed_by_reach(stage, call)
+    motion = _out_only(stage, call, out) if is_followed else _out_and_park(stage, call, out)
+    if motion is None:
+        return PlannedSkill(motions=(), params={}, site_after=stage.site)
+    if not isinstance(motion, PlannedMotion):
+        return SkillRefusal(call=call, refusal=motion)
+    site = with_joints(stage.site, call.robot, motion.timed.path.end_rad)
+    return PlannedSkill(motions=(motion,), params={}, site_after=site)
+
+
+def _is_followed_by_reach(stage: Stage, call: SkillCall) -> bool:
+    following = stage.upcoming[0] if stage.upcoming else None
+    return (
+        following is not None and following.robot == call.robot and following.skill == Skill.REACH
+    )
+
+
+def _way_out(stage: Stage, call: SkillCall) -> tuple[PathSegment, ...] | NoIk:
+    """Return the straight lines out of contact; none from a place that touches nothing."""
+    (place,) = call.arguments
+    station = stage.context.cell.station_by_id.get(place)  # type: ignore[call-overload]
+    if station is not None and station.kind is not StationKind.BUFFER:
+        return ()
+    way = straight_approach(
+        stage.reaching(call.robot), _touch_now(stage, call.robot), stage.q_rad(call.robot)
+    )
+    return way.outwards() if isinstance(way, Approach) else way
+
+
+def _touch_now(stage: Stage, robot: RobotId) -> Touch:
+    """Return the contact that a robot is in: a lift with a piece, else back along the tool."""
+    task, tool, arm = stage.context.task, stage.tool(robot), stage.site.arms[robot]
+    world_T_tip = stage.tip(robot)
+    resting = resting_contacts(stage, robot)
+    if arm.held is not None:
+        near, direction = lift_thresholds(task, tool, arm.held), UP
+    else:
+        world_T_tcp = world_T_tip @ mount_T_tcp(tool.description)
+        direction = scale(world_T_tcp.z_axis, -1.0)
+        near = _touched_by_tool(stage, robot)
+    return Touch(
+        world_T_tip=world_T_tip,
+        back_off=direction,
+        near_m={**resting, **near},
+        free_m=resting,
+    )
+
+
+def _touched_by_tool(stage: Stage, robot: RobotId) -> dict[tuple[str, str], float]:
+    """Return the pieces that an end effector stands at, and may brush while it leaves."""
+    tool = stage.tool(robot)
+    pairs = stage.context.backends.collision.violations(
+        scene_of(stage.site), robot, stage.q_rad(robot), {}
+    )
+    own = set(bodies_of_tool(tool))
+    pieces = {BodyId(p) for p in stage.site.world_T_piece}
+    near = {
+        other
+        for a, b in pairs
+        for mine, other in ((a, b), (b, a))
+        if mine in own and other in pieces
+    }
+    return declared(CONTACT_M, tuple(sorted(own)), tuple(BodyId(n) for n in sorted(near)))
+
+
+def _out_only(
+    stage: Stage, call: SkillCall, out: tuple[PathSegment, ...]
+) -> PlannedMotion | Refusal | None:
+    if not out:
+        return None
+    return finished_motion(stage, call.robot, scene_of(stage.site), out)
+
+
+def _out_and_park(
+    stage: Stage, call: SkillCall, out: tuple[PathSegment, ...]
+) -> PlannedMotion | Refusal | None:
+    """Plan the way out and on to a parking posture, as one trajectory."""
+    robot = stage.robot(call.robot)
+    options = [*robot.parking_q_rad, robot.home_q_rad]
+    first = stage.parking.get(call.robot, 0) % len(options)
+    start = out[-1].waypoints_rad[-1] if out else stage.q_rad(call.robot)
+    outside = stage.at(with_joints(stage.site, call.robot, start))
+    refusal: Refusal = NoIk(is_proven=False, reason="no parking posture is free")
+    for goal_rad in options[first:] + options[:first]:
+        motion = move_to(outside, call.robot, goal_rad)
+        if isinstance(motion, PlannedMotion):
+            return _prefixed(stage, call.robot, out, motion)
+        refusal = motion
+    return refusal
+
+
+def _prefixed(
+    stage: Stage, robot: RobotId, out: tuple[PathSegment, ...], motion: PlannedMotion
+) -> PlannedMotion | Refusal:
+    if not out:
+        return motion
+    segments = (*out, *motion.timed.path.segments)
+    return finished_motion(stage, robot, scene_of(stage.site), segments)
+
+
+def opened(stage: Stage, robot: RobotId, aperture_m: float) -> Stage:
+    """Return the stage with a robot's gripper opened and empty."""
+    arm = replace(stage.site.arms[robot], aperture_m=aperture_m, held=None)
+    return stage.at(replace(stage.site, arms={**stage.site.arms, robot: arm}))

@@ -1,0 +1,164 @@
+"""Where a plan stands while it is being turned into motion, and what a skill's planner returns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from sitewright.foundation.canonical import Json
+from sitewright.foundation.ids import BodyId, ComponentId, RobotId
+from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.approach import CONTACT_M, Reaching
+from sitewright.planning_twin.holding import Holding
+from sitewright.planning_twin.jobsite import Jobsite, bodies_of_tool, scene_of
+from sitewright.planning_twin.motion import PlannedMotion
+from sitewright.planning_twin.refusal import Refusal
+from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot
+from sitewright.planning_twin.study import Study
+from sitewright.planning_twin.task import TwinContext
+from sitewright.robot_team.cell import EndEffector, Robot
+from sitewright.robot_team.description import Joints
+from sitewright.robot_team.skill import SkillCall
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stage:
+    """The site at one point of a plan, and what comes next.
+
+    Attributes:
+        upcoming: The calls after the one that is planned now.
+        parking: Which parking posture a robot takes when it just has to go away.
+    """
+
+    context: TwinContext
+    study: Study
+    upcoming: tuple[SkillCall, ...] = ()
+    parking: Mapping[RobotId, int] = field(default_factory=dict)
+
+    @property
+    def site(self) -> Jobsite:
+        """The site at this point."""
+        return self.context.site
+
+    def at(self, site: Jobsite) -> Stage:
+        """Return the stage with another site."""
+        return replace(self, context=replace(self.context, site=site))
+
+    def robot(self, robot: RobotId) -> Robot:
+        """Return a robot of the cell."""
+        return self.context.cell.robot_by_id[robot]
+
+    def tool(self, robot: RobotId) -> EndEffector:
+        """Return the end effector of a robot that must have one."""
+        tool = self.context.tool_of(robot)
+        if tool is None:
+            raise ValueError(f"{robot} has a bare flange; the plan should have given it a tool")
+        return tool
+
+    def holding(self, robot: RobotId, piece: ComponentId) -> Holding | None:
+        """Return the grasp that was studied for a robot and a piece."""
+        return self.study.holdings.get((robot, piece))
+
+    def q_rad(self, robot: RobotId) -> Joints:
+        """Return a robot's posture at this point."""
+        return self.site.arms[robot].q_rad
+
+    def reaching(self, robot: RobotId) -> Reaching:
+        """Return the means to look for postures of a robot in this scene."""
+        return Reaching(backends=self.context.backends, scene=scene_of(self.site), robot=robot)
+
+    def tip(self, robot: RobotId) -> Pose:
+        """Return the world pose of a robot's tip."""
+        arm = self.robot(robot)
+        base_T_tip = self.context.backends.kinematics.tip(arm.description, self.q_rad(robot))
+        return arm.world_T_base @ base_T_tip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlannedSkill:
+    """A skill call with its motion.
+
+    Attributes:
+        site_after: The site as it is expected afterwards.
+        act_s: Time of the end effector's act, on top of the motions.
+    """
+
+    motions: tuple[PlannedMotion, ...]
+    params: Mapping[str, Json]
+    site_after: Jobsite
+    act_s: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SkillRefusal:
+    """A skill call that geometry does not allow, with why."""
+
+    call: SkillCall
+    refusal: Refusal
+
+
+def resting_contacts(stage: Stage, mover: RobotId) -> dict[Pair, float]:
+    """Return the contacts of the robots that stand still while another one moves.
+
+    Only pairs that may touch are looked at: an end effector and a piece, a held piece and what
+    it lies on. They do not move, so they keep the threshold of a declared contact throughout.
+    """
+    scene = scene_of(stage.site)
+    found: dict[Pair, float] = {}
+    for robot, arm in stage.site.arms.items():
+        if robot == mover:
+            continue
+        pairs = stage.context.backends.collision.violations(scene, robot, arm.q_rad, {})
+        allowed = _may_touch(stage, robot)
+        found.update({p: CONTACT_M for p in pairs if allowed(p)})
+    return found
+
+
+def _may_touch(stage: Stage, robot: RobotId) -> Allowed:
+    tool = stage.context.tool_of(robot)
+    held = stage.site.arms[robot].held
+    return Allowed(
+        tools=frozenset(() if tool is None else bodies_of_tool(tool)),
+        pieces=frozenset(BodyId(p) for p in stage.site.world_T_piece),
+        held=None if held is None else BodyId(held),
+        fixtures=frozenset(BodyId(f) for f in stage.context.cell.fixture_by_id),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Allowed:
+    """Which pairs of one robot can be contacts at all."""
+
+    tools: frozenset[BodyId]
+    pieces: frozenset[BodyId]
+    held: BodyId | None
+    fixtures: frozenset[BodyId]
+
+    def __call__(self, pair: Pair) -> bool:
+        """Tell whether a pair is an end effector on a piece, or a held piece on its support."""
+        a, b = (BodyId(name) for name in pair)
+        return any(
+            (x in self.tools and y in self.pieces)
+            or (x == self.held and y in self.pieces | self.fixtures)
+            for x, y in ((a, b), (b, a))
+        )
+
+
+def with_joints(site: Jobsite, robot: RobotId, q_rad: Joints) -> Jobsite:
+    """Return the site with a robot in another posture, a carried piece moved along."""
+    arm = replace(site.arms[robot], q_rad=q_rad)
+    return replace(site, arms={**site.arms, robot: arm})
+
+
+def attached_to(scene: SceneSnapshot, robot: RobotId) -> tuple[BodyId, ...]:
+    """Return the bodies that a robot carries."""
+    return tuple(
+        i
+        for i, b in scene.bodies.items()
+        if isinstance(b.placement, Attachment) and b.placement.robot == robot
+    )
+
+
+def pose_json(pose: Pose) -> Json:
+    """Return a pose as the driver's parameters have it."""
+    return {"p_m": list(pose.position_m), "q_wxyz": list(pose.quaternion_wxyz)}
