@@ -1,0 +1,1 @@
+"""The journal: append-only events with a hash chain, and content-addressed blobs."""
