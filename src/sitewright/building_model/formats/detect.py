@@ -1,0 +1,74 @@
+"""What kind of building file lies there, told by its first bytes and not by its name."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+
+from sitewright.errors import ModelRejectedError, Problem
+
+MAX_FILE_BYTES = 200_000_000
+MAX_JSON_BYTES = 100_000_000
+_LFS = b"version https://git-lfs.github.com/spec/"
+
+
+class FileKind(StrEnum):
+    """The kinds that are told apart; not all of them have a reader."""
+
+    NATIVE = "native"
+    COMPAS_TIMBER = "compas_timber"
+    JSON = "json"
+    RHINO = "rhino"
+    IFC = "ifc"
+    BTLX = "btlx"
+    UNKNOWN = "unknown"
+
+
+def read_limited(path: Path) -> bytes:
+    """Return the bytes of a file that may be a building.
+
+    Raises:
+        ModelRejectedError: It is missing, no file, empty, too large or a Git LFS pointer.
+    """
+    if not path.is_file():
+        raise refused(path, "E2", "there is no such file.", "Check the path.")
+    size = path.stat().st_size
+    if size == 0:
+        raise refused(path, "E2", "the file is empty.", "Export it again.")
+    if size > MAX_FILE_BYTES:
+        raise refused(
+            path,
+            "E2",
+            f"the file has {size / 1e6:.0f} MB, more than {MAX_FILE_BYTES / 1e6:.0f}.",
+            "Export only the part that is to be built.",
+        )
+    content = path.read_bytes()
+    if content.startswith(_LFS):
+        raise refused(path, "E2", "the file is a Git LFS pointer.", "Run: git lfs pull")
+    return content
+
+
+def kind_of(content: bytes) -> FileKind:
+    """Return the kind of a file by its content."""
+    head = content[:4096].removeprefix(b"\xef\xbb\xbf").lstrip()
+    if head.startswith(b"3D Geometry File Format"):
+        return FileKind.RHINO
+    if head.startswith(b"ISO-10303-21"):
+        return FileKind.IFC
+    if head.startswith(b"<"):
+        return FileKind.BTLX if b"design2machine" in head else FileKind.UNKNOWN
+    if head.startswith(b"{"):
+        return _json_kind(content)
+    return FileKind.UNKNOWN
+
+
+def refused(path: Path, code: str, message: str, fix: str) -> ModelRejectedError:
+    """Return the error of a file that has one problem as a whole."""
+    problem = Problem(code=code, severity="E", where=path.name, message=message, fix=fix)
+    return ModelRejectedError(str(path), [problem])
+
+
+def _json_kind(content: bytes) -> FileKind:
+    if b'"sitewright.building/' in content:
+        return FileKind.NATIVE
+    return FileKind.COMPAS_TIMBER if b'"compas_timber.' in content else FileKind.JSON

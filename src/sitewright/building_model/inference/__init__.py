@@ -1,0 +1,1 @@
+"""Facts that a file leaves open, worked out with evidence."""

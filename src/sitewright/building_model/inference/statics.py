@@ -1,0 +1,121 @@
+"""Who stands on what: ground, carriers from below, neighbours that a beam is joined to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from sitewright.building_model.component import Layer
+from sitewright.building_model.inference.contact import Contact, contacts_of
+from sitewright.building_model.inference.solid import Solid, solid_of
+from sitewright.building_model.model import BuildingModel, RelationKind
+from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.pose import Vector, dot, scale, unit
+
+CARRIES = 0.7
+"""A contact carries if its normal points up by at least this (45 degrees)."""
+GROUND_M = 0.005
+"""Components that end this near to the lowest point of all stand on the ground."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Statics:
+    """How the targets of a model stand, hang and touch.
+
+    Attributes:
+        up: Unit vector against gravity.
+        ground: Components that stand on the ground.
+        carriers: Joined components that carry a component from below.
+        joined: Components that are connected with it.
+        normals: Contacts of each component: neighbour and normal out of the component.
+    """
+
+    up: Vector
+    solid_by_id: Mapping[ComponentId, Solid]
+    ground: frozenset[ComponentId]
+    carriers: Mapping[ComponentId, tuple[Contact, ...]]
+    joined: Mapping[ComponentId, frozenset[ComponentId]]
+    normals: Mapping[ComponentId, tuple[tuple[ComponentId, Vector], ...]]
+
+    def carriers_of(self, component: ComponentId) -> frozenset[ComponentId]:
+        """Return the joined components that carry it from below."""
+        return frozenset(c.a for c in self.carriers[component])
+
+    def is_carried(self, component: ComponentId) -> bool:
+        """Whether the ground or a joined component carries it from below."""
+        return component in self.ground or bool(self.carriers[component])
+
+    def holders(
+        self, component: ComponentId, among: Iterable[ComponentId]
+    ) -> frozenset[ComponentId]:
+        """Return the joined components among some that do not rest on it themselves."""
+        return frozenset(
+            j
+            for j in self.joined[component] & frozenset(among)
+            if component not in self.carriers_of(j)
+        )
+
+    def anchored(self, present: frozenset[ComponentId]) -> frozenset[ComponentId]:
+        """Return those that lead down to the ground: by carriers, else by a joined neighbour."""
+        found: set[ComponentId] = set()
+        waiting = sorted(present & self.ground)
+        while waiting:
+            component = waiting.pop()
+            if component in found:
+                continue
+            found.add(component)
+            waiting += sorted(
+                j for j in self.joined[component] & present - found if self._stays(j, component)
+            )
+        return frozenset(found)
+
+    def _stays(self, component: ComponentId, on: ComponentId) -> bool:
+        carriers = self.carriers_of(component)
+        return on in carriers or (not carriers and component not in self.carriers_of(on))
+
+
+def statics_of(model: BuildingModel) -> Statics:
+    """Look at the box-shaped targets of a model; others are not looked at."""
+    up = unit(scale(model.gravity, -1.0))
+    targets = [c for c in model.component_by_id.values() if c.layer is Layer.TARGET]
+    solids = {c.id: s for c in targets if (s := solid_of(c)) is not None}
+    joined = _joined(model, solids)
+    contacts = contacts_of(solids)
+    lowest_m = min((s.lowest_m(up) for s in solids.values()), default=0.0)
+    return Statics(
+        up=up,
+        solid_by_id=solids,
+        ground=frozenset(i for i, s in solids.items() if s.lowest_m(up) <= lowest_m + GROUND_M),
+        carriers={
+            i: tuple(
+                c for c in _towards(i, contacts) if dot(c.normal, up) > CARRIES and c.a in joined[i]
+            )
+            for i in solids
+        },
+        joined=joined,
+        normals={
+            i: tuple((c.a, scale(c.normal, -1.0)) for c in _towards(i, contacts)) for i in solids
+        },
+    )
+
+
+def _joined(
+    model: BuildingModel, solids: Mapping[ComponentId, Solid]
+) -> dict[ComponentId, frozenset[ComponentId]]:
+    joined: dict[ComponentId, set[ComponentId]] = {i: set() for i in solids}
+    for relation in model.relations:
+        if relation.kind is RelationKind.CONNECTION and {relation.a, relation.b} <= solids.keys():
+            joined[relation.a].add(relation.b)
+            joined[relation.b].add(relation.a)
+    return {i: frozenset(others) for i, others in joined.items()}
+
+
+def _towards(component: ComponentId, contacts: Iterable[Contact]) -> list[Contact]:
+    """Return its contacts, each turned so that the normal points into it."""
+    return [
+        c
+        if c.b == component
+        else Contact(a=c.b, b=c.a, normal=scale(c.normal, -1.0), area_m2=c.area_m2)
+        for c in contacts
+        if component in (c.a, c.b)
+    ]
