@@ -177,6 +177,7 @@ class ProposalSuperseded:
 
     Attributes:
         is_replan: Counts against the limit of replans per target.
+        at_utc_ns: When, for the limit of replans in a time.
     """
 
     kind: ClassVar[str] = "proposal_superseded"
@@ -184,6 +185,7 @@ class ProposalSuperseded:
     fingerprint: str
     reason: str
     is_replan: bool = True
+    at_utc_ns: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -357,13 +359,13 @@ class ComponentInstalled:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PieceScrapped:
-    """A person took a piece out of use after a partial operation."""
+class ComponentDisplaced:
+    """A positioned piece that was not standing yet is not at its target any more."""
 
-    kind: ClassVar[str] = "piece_scrapped"
+    kind: ClassVar[str] = "component_displaced"
     version: ClassVar[int] = 1
-    piece: ComponentId
     target: ComponentId
+    piece: ComponentId
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -431,7 +433,7 @@ AnyEvent = (
     | ComponentStanding
     | OperationDone
     | ComponentInstalled
-    | PieceScrapped
+    | ComponentDisplaced
     | QuestionAsked
     | QuestionAnswered
     | RunHeld

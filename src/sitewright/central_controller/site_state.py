@@ -61,10 +61,10 @@ class SiteState:
         standing: Targets whose piece stands without a robot.
         done_operations: Fasteners driven, finishes applied.
         installed: Targets that stand and have all their operations, in order of installation.
-        scrapped: Pieces that a person took out of use.
         place_by_robot: PDDL place (as site id) where each robot's last known motion ended;
             None is in transit. A robot is absent while its place is unknown.
         sensed: Last observation that was recorded, to tell what moved since.
+        needs_rework: Targets that a person must put right, with the reason.
         refused: Targets set aside in this run, with the reason.
         rejections: What people refused in this run.
     """
@@ -76,9 +76,9 @@ class SiteState:
     standing: frozenset[ComponentId] = frozenset()
     done_operations: frozenset[OperationId] = frozenset()
     installed: tuple[ComponentId, ...] = ()
-    scrapped: frozenset[ComponentId] = frozenset()
     place_by_robot: Mapping[RobotId, str | None] = field(default_factory=dict)
     sensed: Observation | None = None
+    needs_rework: Mapping[ComponentId, str] = field(default_factory=dict)
     refused: Mapping[ComponentId, str] = field(default_factory=dict)
     rejections: tuple[Rejection, ...] = ()
 
@@ -89,8 +89,18 @@ class SiteState:
 
     @property
     def consumed(self) -> frozenset[ComponentId]:
-        """Pieces that are no stock any more: placed at a target, or scrapped."""
-        return frozenset(p.piece for p in self.placed.values()) | self.scrapped
+        """Pieces that are no stock any more, because they are placed at a target."""
+        return frozenset(p.piece for p in self.placed.values())
+
+    @property
+    def excluded(self) -> frozenset[ComponentId]:
+        """Targets that must not be proposed now."""
+        return frozenset(self.refused) | frozenset(self.needs_rework)
+
+    @property
+    def is_at_end(self) -> bool:
+        """Whether no target is left that could be proposed."""
+        return all(t in self.installed or t in self.excluded for t in self.targets)
 
     def is_secured(self, target: ComponentId) -> bool:
         """Whether a target stands and has all its operations."""

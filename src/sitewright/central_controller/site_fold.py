@@ -1,0 +1,80 @@
+"""How each event changes the site: one pure function."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from sitewright.central_controller.events import (
+    AnyEvent,
+    ApprovalRejected,
+    ComponentDisplaced,
+    ComponentInstalled,
+    ComponentPositioned,
+    ComponentStanding,
+    DeviationSeen,
+    OperationDone,
+    RunStarted,
+    SiteObserved,
+    TargetRefused,
+)
+from sitewright.central_controller.sensed import merged
+from sitewright.central_controller.site_state import PlacedPiece, SiteState
+from sitewright.foundation.ids import RobotId
+
+
+def site_after(site: SiteState, event: AnyEvent) -> SiteState:
+    """Return the site after an event; events that are not about the site change nothing."""
+    match event:
+        case RunStarted():
+            return replace(site, refused={}, rejections=())
+        case SiteObserved():
+            return replace(site, sensed=merged(site.sensed, event))
+        case DeviationSeen():
+            return replace(site, serial=site.serial + 1)
+        case TargetRefused(target=target, reason=reason):
+            return replace(site, refused={**site.refused, target: reason})
+        case ApprovalRejected(rejection=rejection):
+            return replace(site, rejections=(*site.rejections, rejection))
+        case _:
+            return _after_component_event(site, event)
+
+
+def _after_component_event(site: SiteState, event: AnyEvent) -> SiteState:
+    match event:
+        case ComponentPositioned() | ComponentInstalled():
+            placed = PlacedPiece(
+                piece=event.piece,
+                world_T_wanted=event.world_T_wanted,
+                world_T_measured=event.world_T_measured,
+                robot=event.robot,
+            )
+            site = replace(site, placed={**site.placed, event.target: placed})
+            if isinstance(event, ComponentInstalled) and event.target not in site.installed:
+                site = replace(site, installed=(*site.installed, event.target))
+            return site
+        case ComponentDisplaced(target=target):
+            left = {t: p for t, p in site.placed.items() if t != target}
+            return replace(site, placed=left, standing=site.standing - {target})
+        case ComponentStanding(target=target):
+            return replace(site, standing=site.standing | {target})
+        case OperationDone(operation=operation):
+            return replace(site, done_operations=site.done_operations | {operation})
+        case _:
+            return site
+
+
+def places_after(
+    places: Mapping[RobotId, str | None], robot: RobotId, effects: tuple[str, ...]
+) -> dict[RobotId, str | None]:
+    """Return where the robots are after the effects ``(at r p)`` and ``(in-transit r)``."""
+    result = dict(places)
+    for effect in effects:
+        match effect.strip("()").split():
+            case ["at", who, place] if who == robot:
+                result[robot] = place
+            case ["in-transit", who] if who == robot:
+                result[robot] = None
+            case _:
+                pass
+    return result

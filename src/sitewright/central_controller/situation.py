@@ -1,0 +1,260 @@
+"""From the folded site and what was sensed to what the two planners look at."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sitewright.building_model.component import Component, Layer, Operation, Process
+from sitewright.building_model.model import BuildingModel, RelationKind
+from sitewright.building_model.shapes import mass_of, shape_of, size_of
+from sitewright.central_controller.ports import SiteContext
+from sitewright.construction_graph.graph import (
+    JOBSITE,
+    ConstructionGraph,
+    MaterialNode,
+    TargetNode,
+)
+from sitewright.foundation.ids import BodyId, ComponentId, RobotId
+from sitewright.foundation.pose import Pose, Vector, scale
+from sitewright.planning_twin.fastening import Spot
+from sitewright.planning_twin.jobsite import ArmState, Jobsite, PieceShape
+from sitewright.planning_twin.motion import Kinematics
+from sitewright.planning_twin.task import UP, Task
+from sitewright.robot_team.cell import Cell, StationKind
+from sitewright.robot_team.driver import RobotObservation
+from sitewright.symbolic_planning.site_view import PlaceId, RobotStatus
+
+_AT_HOME_RAD = 0.02
+_LEVEL = 0.2
+_FASTENING = (Process.NAIL, Process.SCREW, Process.DRILL)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Design:
+    """What does not change during a run."""
+
+    model: BuildingModel
+    cell: Cell
+
+    def component(self, component: ComponentId) -> Component:
+        """Return a component of the design."""
+        return self.model.component_by_id[component]
+
+    def world_T_target(self, target: ComponentId) -> Pose:
+        """Return where a target belongs in the world."""
+        return self.cell.world_T_model @ self.component(target).world_T_component
+
+
+def piece_shapes(model: BuildingModel) -> dict[ComponentId, PieceShape]:
+    """Return every piece of stock, and what stands already, as bodies."""
+    return {
+        c.id: PieceShape(shape=shape_of(c), size_m=size_of(c), mass_kg=mass_of(c, model.materials))
+        for c in model.component_by_id.values()
+        if c.layer in (Layer.MATERIAL, Layer.AS_BUILT)
+    }
+
+
+def jobsite_of(
+    design: Design,
+    shapes: Mapping[ComponentId, PieceShape],
+    context: SiteContext,
+    kinematics: Kinematics,
+) -> Jobsite:
+    """Return the cell as sensed, for the planning twin."""
+    seen = context.observation
+    placed = {p.piece for p in context.site.placed.values()}
+    arms = {
+        robot: _arm(design.cell, robot, state, seen.world_T_piece, kinematics)
+        for robot, state in seen.robots.items()
+    }
+    return Jobsite(
+        cell=design.cell,
+        pieces=shapes,
+        world_T_piece={p: pose for p, pose in seen.world_T_piece.items() if p in shapes},
+        arms=arms,
+        docked=dict(seen.docked),
+        obstacles={
+            c.id: (shape_of(c), design.world_T_target(c.id))
+            for c in design.model.component_by_id.values()
+            if c.layer is Layer.VIRTUAL_COLLISION
+        },
+        steadied={
+            arm.held: robot
+            for robot, arm in arms.items()
+            if arm.held is not None and arm.held in placed
+        },
+    )
+
+
+def _arm(
+    cell: Cell,
+    robot: RobotId,
+    state: RobotObservation,
+    world_T_piece: Mapping[ComponentId, Pose],
+    kinematics: Kinematics,
+) -> ArmState:
+    unit = cell.robot_by_id[robot]
+    held = state.gripped if state.gripped in world_T_piece else None
+    tip = unit.world_T_base @ kinematics.tip(unit.description, state.q_rad)
+    return ArmState(
+        q_rad=state.q_rad,
+        mounted=state.mounted,
+        aperture_m=state.aperture_m,
+        held=held,
+        tip_T_held=Pose() if held is None else tip.inverse() @ world_T_piece[held],
+    )
+
+
+def task_of(
+    design: Design,
+    graph: ConstructionGraph,
+    context: SiteContext,
+    target: ComponentId,
+    candidates: tuple[ComponentId, ...],
+) -> Task:
+    """Return what the planning twin has to do for a target.
+
+    Args:
+        design: Model and cell.
+        graph: Graph as it stands now.
+        context: Folded site and observation.
+        target: The active target.
+        candidates: Pieces that may become it.
+    """
+    placed = context.site.placed.get(target)
+    component = design.component(target)
+    world_T_target = design.world_T_target(target)
+    if placed is not None:
+        world_T_target = context.observation.world_T_piece.get(
+            placed.piece, placed.world_T_measured
+        )
+    done = context.site.done_operations
+    driven = sum(o.process in _FASTENING and o.id in done for o in component.operations)
+    return Task(
+        target=target,
+        world_T_target=world_T_target,
+        candidates=candidates,
+        touches=_touches(design, context, component),
+        insertions=_insertions(world_T_target),
+        lies_on={c: _lies_on(design, graph, c) for c in candidates},
+        spots=tuple(
+            spot_of(design, context, target, o, world_T_target)
+            for o in component.operations
+            if o.id not in done and o.process is not Process.PLACE
+        ),
+        hold_until=max(0, component.hold_until_fasteners - driven),
+        buffers={
+            s.id: s.world_T_station
+            for s in design.cell.station_by_id.values()
+            if s.kind is StationKind.BUFFER
+        },
+        placed=None if placed is None else placed.piece,
+    )
+
+
+def spot_of(
+    design: Design,
+    context: SiteContext,
+    target: ComponentId,
+    operation: Operation,
+    world_T_target: Pose,
+) -> Spot:
+    """Return an operation placed in the world, with the piece that its receiver was made of."""
+    receiver = next((c for c in operation.on if c != target), None)
+    return Spot(
+        operation=operation.id,
+        process=operation.process,
+        target=target,
+        world_T_operation=world_T_target @ operation.component_T_operation,
+        into=None if receiver is None else body_of(design, context, receiver),
+        fastener=operation.fastener,
+        patch=operation.patch,
+        needs_hold=operation.needs_hold,
+        after=operation.after,
+    )
+
+
+def body_of(design: Design, context: SiteContext, component: ComponentId) -> ComponentId:
+    """Return the physical piece of a component: what it was made of, or itself."""
+    del design
+    placed = context.site.placed.get(component)
+    return component if placed is None else placed.piece
+
+
+def _touches(design: Design, context: SiteContext, component: Component) -> tuple[BodyId, ...]:
+    """Return what a placed component may touch: parents and joined neighbours, or the ground."""
+    related = set(component.construction_parents) | {
+        other
+        for r in design.model.relations
+        if r.kind in (RelationKind.CONNECTION, RelationKind.CONTACT, RelationKind.SUPPORTS)
+        for this, other in ((r.a, r.b), (r.b, r.a))
+        if this == component.id
+    }
+    standing = [
+        BodyId(body_of(design, context, c))
+        for c in sorted(related)
+        if c in context.site.placed or design.component(c).layer is Layer.AS_BUILT
+    ]
+    is_grounded = component.ground or not component.construction_parents
+    fixtures = sorted(design.cell.fixture_by_id) if is_grounded else []
+    return (*standing, *(BodyId(f) for f in fixtures))
+
+
+def _insertions(world_T_target: Pose) -> tuple[Vector, ...]:
+    """Return the world directions that a piece may come from: above first, then its own sides."""
+    axes = (world_T_target.x_axis, world_T_target.y_axis, world_T_target.z_axis)
+    sides = [scale(axis, sign) for axis in axes for sign in (1.0, -1.0)]
+    return (UP, *(s for s in sides if -_LEVEL < s[2] < 1.0 - _LEVEL))
+
+
+def _lies_on(design: Design, graph: ConstructionGraph, piece: ComponentId) -> tuple[BodyId, ...]:
+    node = graph.node_by_id.get(piece)
+    parents = () if node is None else node.construction_parents
+    below = [BodyId(p) for p in parents if p != JOBSITE]
+    fixtures = [] if below else [BodyId(f) for f in sorted(design.cell.fixture_by_id)]
+    return (*below, *fixtures)
+
+
+def robot_statuses(
+    design: Design, context: SiteContext, site: Jobsite
+) -> dict[RobotId, RobotStatus]:
+    """Return the symbolic state of each robot from what was sensed and last done."""
+    targets = {p.piece: t for t, p in context.site.placed.items()}
+    statuses: dict[RobotId, RobotStatus] = {}
+    for robot, arm in site.arms.items():
+        steadying = None if arm.held is None else targets.get(arm.held)
+        statuses[robot] = RobotStatus(
+            place=_place(design, context, robot, arm),
+            mounted=arm.mounted,
+            holding=arm.held if steadying is None else None,
+            steadying=steadying,
+        )
+    return statuses
+
+
+def _place(design: Design, context: SiteContext, robot: RobotId, arm: ArmState) -> PlaceId | None:
+    home = design.cell.robot_by_id[robot].home_q_rad
+    if max(abs(a - b) for a, b in zip(arm.q_rad, home, strict=True)) < _AT_HOME_RAD:
+        own = (
+            s.id
+            for s in design.cell.station_by_id.values()
+            if s.kind is StationKind.PREPARATION and s.robot == robot
+        )
+        return next(own, None)
+    return context.site.place_by_robot.get(robot)
+
+
+def lies_at(graph: ConstructionGraph, pieces: tuple[ComponentId, ...]) -> dict[ComponentId, str]:
+    """Return the stock place or buffer of each piece that lies on one."""
+    return {
+        p: node.place for p in pieces if isinstance(node := graph.node_by_id.get(p), MaterialNode)
+    }
+
+
+def target_node(graph: ConstructionGraph, target: ComponentId) -> TargetNode:
+    """Return the node of a target that is not installed yet."""
+    node = graph.node_by_id[target]
+    if not isinstance(node, TargetNode):
+        raise TypeError(f"{target} is {node.layer.value}, not a target")
+    return node

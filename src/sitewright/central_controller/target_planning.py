@@ -1,0 +1,192 @@
+"""The loop plan - refuse - replan for one target: symbolic plan, motions, facts, again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+from sitewright.central_controller.ports import RefusalNote
+from sitewright.foundation.clock import Clock
+from sitewright.foundation.ids import ComponentId
+from sitewright.planning_twin.feedback import Lessons, in_words, learn
+from sitewright.planning_twin.motion import PlanningBackends
+from sitewright.planning_twin.sequence import (
+    PlannedSequence,
+    SequenceRefusal,
+    plan_sequence,
+)
+from sitewright.planning_twin.skill_motions.stage import PlannedSkill
+from sitewright.planning_twin.study import Study
+from sitewright.planning_twin.task import TwinContext
+from sitewright.robot_team.skill import SkillCall
+from sitewright.symbolic_planning.domain import Domain
+from sitewright.symbolic_planning.planner import NoPlan, SkillSequence, SymbolicPlanner
+from sitewright.symbolic_planning.problem import Problem, problem_for
+from sitewright.symbolic_planning.site_view import SiteView
+
+MOST_ROUNDS = 30
+"""So many plans are refused by geometry before a person is asked."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlanningPorts:
+    """The engines of both planners, and the clock that measures them."""
+
+    domain: Domain
+    symbolic: SymbolicPlanner
+    backends: PlanningBackends
+    clock: Clock
+
+
+@dataclass(slots=True)
+class Stopwatch:
+    """Adds up seconds by kind of work."""
+
+    clock: Clock
+    spent_s: dict[str, float] = field(default_factory=dict)
+    _since_ns: int = 0
+
+    def start(self) -> None:
+        """Begin a stretch."""
+        self._since_ns = self.clock.monotonic_ns()
+
+    def stop(self, kind: str) -> None:
+        """End the stretch and count it."""
+        passed = (self.clock.monotonic_ns() - self._since_ns) / 1e9
+        self.spent_s[kind] = self.spent_s.get(kind, 0.0) + passed
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetPlan:
+    """A plan whose every motion is certified."""
+
+    problem: Problem
+    sequence: SkillSequence
+    motions: PlannedSequence
+    notes: tuple[RefusalNote, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetRefusal:
+    """No plan with certified motions was found for the target.
+
+    Attributes:
+        is_limit: A budget ended; more rounds might help.
+    """
+
+    problem: Problem
+    reason: str
+    is_proven: bool
+    is_limit: bool
+    notes: tuple[RefusalNote, ...]
+
+
+def plan_target(
+    ports: PlanningPorts, context: TwinContext, study: Study, view: SiteView, watch: Stopwatch
+) -> TargetPlan | TargetRefusal:
+    """Plan a target until symbols and geometry agree, or say why they cannot.
+
+    Args:
+        ports: Both planners.
+        context: The twin's picture of site and task.
+        study: The batch check's facts and grasps.
+        view: The symbolic picture; its geometric facts are replaced by the study's.
+        watch: Where the time goes.
+    """
+    target = context.task.target
+    notes = [_study_note(target, r.fact, in_words(r.refusal), r.refusal) for r in study.refusals]
+    geometry, lessons = study.facts, Lessons()
+    start = {robot: status.place for robot, status in view.robot_status.items()}
+    known: tuple[tuple[SkillCall, PlannedSkill], ...] = ()
+    problem = problem_for(ports.domain, replace(view, geometry=geometry))
+    for round_number in range(MOST_ROUNDS):
+        watch.start()
+        problem = problem_for(ports.domain, replace(view, geometry=geometry))
+        sequence = ports.symbolic.plan(problem)
+        watch.stop("symbolic")
+        if isinstance(sequence, NoPlan):
+            return _refused(problem, sequence, notes)
+        watch.start()
+        result = plan_sequence(
+            replace(context, seed=context.seed + round_number),
+            study,
+            sequence.calls,
+            start,
+            known=tuple(_still_valid(known, sequence.calls)),
+        )
+        watch.stop("motion")
+        if isinstance(result, PlannedSequence):
+            return TargetPlan(
+                problem=problem, sequence=sequence, motions=result, notes=tuple(notes)
+            )
+        notes.append(_note(target, result))
+        lesson = learn(geometry, result, lessons, target)
+        if lesson is None:
+            return _stuck(problem, result, notes)
+        geometry = lesson.geometry
+        known = tuple(zip(sequence.calls[: result.number], result.planned, strict=True))
+    return TargetRefusal(
+        problem=problem,
+        reason=f"{MOST_ROUNDS} plans were refused by geometry; the last one: {notes[-1].reason}",
+        is_proven=False,
+        is_limit=True,
+        notes=tuple(notes),
+    )
+
+
+def _still_valid(
+    known: tuple[tuple[SkillCall, PlannedSkill], ...], calls: tuple[SkillCall, ...]
+) -> Iterator[PlannedSkill]:
+    """Yield the motions of the common beginning; a motion may depend on the call after it."""
+    for k, (call, planned) in enumerate(known):
+        is_same = k + 1 < len(calls) and calls[k] == call
+        follows = k + 1 >= len(known) or (is_same and calls[k + 1] == known[k + 1][0])
+        if not (is_same and follows) or k + 1 == len(known):
+            return
+        yield planned
+
+
+def _refused(problem: Problem, no: NoPlan, notes: list[RefusalNote]) -> TargetRefusal:
+    """A proof over facts is one over the site only if every fact taken away was proven."""
+    is_proven = no.is_proven and all(n.is_proven for n in notes)
+    because = "; ".join(dict.fromkeys(n.reason for n in notes))
+    reason = f"{no.reason} {because}".strip()
+    return TargetRefusal(
+        problem=problem,
+        reason=reason,
+        is_proven=is_proven,
+        is_limit=not no.is_proven,
+        notes=tuple(notes),
+    )
+
+
+def _stuck(problem: Problem, result: SequenceRefusal, notes: list[RefusalNote]) -> TargetRefusal:
+    return TargetRefusal(
+        problem=problem,
+        reason=f"{notes[-1].reason}; no other order or robot avoids it",
+        is_proven=False,
+        is_limit=False,
+        notes=tuple(notes),
+    )
+
+
+def _note(target: ComponentId, result: SequenceRefusal) -> RefusalNote:
+    refusal = result.cause.refusal
+    call = result.call
+    return RefusalNote(
+        target=target,
+        kind=type(refusal).__name__,
+        reason=f"{call.robot} {call.skill} {' '.join(call.arguments)}: {in_words(refusal)}",
+        is_proven=bool(getattr(refusal, "is_proven", False)),
+    )
+
+
+def _study_note(
+    target: ComponentId, fact: tuple[str, ...], words: str, refusal: object
+) -> RefusalNote:
+    return RefusalNote(
+        target=target,
+        kind=type(refusal).__name__,
+        reason=f"not ({' '.join(fact)}): {words}",
+        is_proven=bool(getattr(refusal, "is_proven", True)),
+    )
