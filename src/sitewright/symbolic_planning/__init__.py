@@ -1,0 +1,1 @@
+"""From the state of the site to a skill sequence: PDDL, search, validation."""

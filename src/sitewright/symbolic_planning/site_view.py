@@ -16,7 +16,7 @@ from sitewright.foundation.ids import (
 from sitewright.robot_team.cell import Cell
 
 PlaceId = str
-"""Site id of a PDDL place: stock place, target component, operation (fastener or finish), station."""
+"""Site id of a PDDL place: stock place, target, operation (fastener or finish), station."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,6 +66,7 @@ class SiteView:
         standing: Targets that stand by themselves (released after their tacks).
         done_operations: Fasteners driven, finishes applied.
         docked: Tool station of each end effector that is on no robot.
+        movable: Further pieces that may be grasped and set down elsewhere, being in the way.
     """
 
     graph: ConstructionGraph
@@ -79,3 +80,4 @@ class SiteView:
     done_operations: frozenset[OperationId] = frozenset()
     docked: Mapping[EndEffectorId, StationId] = field(default_factory=dict)
     geometry: GeometricFacts = field(default_factory=GeometricFacts)
+    movable: tuple[ComponentId, ...] = ()

@@ -1,0 +1,1 @@
+"""Planners behind the port in `sitewright.symbolic_planning.planner`."""
