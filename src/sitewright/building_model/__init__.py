@@ -1,0 +1,1 @@
+"""The evolving building model: components, layers, operations, stacks and their checks."""

@@ -1,0 +1,284 @@
+"""From the keys of `cell.toml` to the cell, robots and end effectors with their models."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from sitewright.errors import CellRejectedError, Problem, TeamError
+from sitewright.foundation.ids import (
+    EndEffectorId,
+    FixtureId,
+    RobotId,
+    StationId,
+    StockPlaceId,
+    ZoneId,
+)
+from sitewright.foundation.pose import Pose
+from sitewright.foundation.shapes import Box, ConvexPart, Hull, Shape
+from sitewright.robot_team.cell import (
+    Capability,
+    Cell,
+    EndEffector,
+    EndEffectorKind,
+    FastenerRange,
+    Fixture,
+    Robot,
+    RobotSubtype,
+    Station,
+    StationKind,
+    StockPlace,
+    Zone,
+)
+from sitewright.robot_team.description import Description, JointKind, Joints
+from sitewright.robot_team.formats.cell_check import problem
+from sitewright.robot_team.formats.cell_file import (
+    BoxFile,
+    CellFile,
+    ConvexFile,
+    EndEffectorFile,
+    GeometryFile,
+    PoseFile,
+    RobotFile,
+    SolidFile,
+    StationFile,
+)
+from sitewright.robot_team.formats.urdf import read_urdf
+from sitewright.robot_team.kinematics import tip_pose
+from sitewright.robot_team.models.catalogue import builtin_end_effector, builtin_robot
+
+_ALWAYS = frozenset({Capability.RETRACTING, Capability.RELEASING})
+_HANDLING = frozenset({Capability.GRASPING, Capability.POSITIONING})
+_FINISHING = frozenset({Capability.FASTENING, Capability.FINISHING})
+DEFAULT_CAN = {
+    RobotSubtype.HANDLER: _HANDLING,
+    RobotSubtype.FINISHER: _FINISHING,
+    RobotSubtype.ALL_ROUNDER: _HANDLING | _FINISHING | {Capability.TOOL_CHANGING},
+}
+"""What a robot can do when the cell does not say; every robot can retract and release."""
+_ACCELERATION_PER_SPEED = 2.0
+"""Default acceleration limit: this times the largest speed, per second (our assumption)."""
+
+
+_FINGERS = 2
+
+
+class CellBuilder:
+    """Builds one cell and collects what is wrong with its models."""
+
+    def __init__(self, file: CellFile, folder: Path) -> None:
+        self._file, self._folder = file, folder
+        self._read: dict[Path, Description] = {}
+        self.problems: list[Problem] = []
+
+    def build(self) -> Cell | None:
+        """Return the cell; None if a model could not be read or does not fit."""
+        robots = [self._robot(r) for r in self._file.robot]
+        tools = [self._end_effector(e) for e in self._file.end_effector]
+        if self.problems:
+            return None
+        known = {r.id: r for r in robots if r is not None}
+        stations = [s for f in self._file.station if (s := _station(f, known)) is not None]
+        prepared = {s.robot for s in stations if s.kind is StationKind.PREPARATION}
+        stations += [_preparation(r) for r in known.values() if r.id not in prepared]
+        return Cell(
+            robot_by_id=known,
+            end_effector_by_id={t.id: t for t in tools if t is not None},
+            station_by_id={s.id: s for s in stations},
+            stock_place_by_id={
+                StockPlaceId(s.id): StockPlace(
+                    id=StockPlaceId(s.id), world_T_stock=_pose(s.world_T_stock)
+                )
+                for s in self._file.stock_place
+            },
+            fixture_by_id={
+                FixtureId(f.id): Fixture(
+                    id=FixtureId(f.id),
+                    shape=_shape(f.geometry),
+                    world_T_fixture=_pose(f.world_T_fixture),
+                )
+                for f in self._file.fixture
+            },
+            zone_by_id={
+                ZoneId(z.id): Zone(
+                    id=ZoneId(z.id), shape=_shape(z.geometry), world_T_zone=_pose(z.world_T_zone)
+                )
+                for z in self._file.zone
+            },
+            world_T_model=_pose(self._file.site.world_T_model),
+            clearance_m=self._file.site.clearance_m,
+            simulation=dict(sorted(self._file.simulation.items())),
+        )
+
+    def _robot(self, file: RobotFile) -> Robot | None:
+        where = f"robot[{file.id}]"
+        description = self._description(file.model, file.urdf, where, file.payload_kg)
+        if description is None:
+            return None
+        if description.payload_kg <= 0.0:
+            fix = "State payload_kg."
+            self.problems.append(problem("L2", where, "Its payload is not known.", fix))
+        home = _radians(file.home_q_deg, file.home_q_rad)
+        parking = _many_radians(file.parking_q_deg, file.parking_q_rad) or (home,)
+        speeds = [j.velocity_rad_s for j in description.movable_joints]
+        acceleration = _radians(file.max_acceleration_deg_s2, file.max_acceleration_rad_s2)
+        acceleration = acceleration or tuple(_ACCELERATION_PER_SPEED * v for v in speeds)
+        self._check_postures(where, description, {"home_q": (home,), "parking_q": parking})
+        if len(acceleration) != len(speeds):
+            message = f"max_acceleration has {len(acceleration)} values for {len(speeds)} joints."
+            self.problems.append(problem("L2", where, message, "State one per joint."))
+        can = DEFAULT_CAN[file.subtype] if file.can is None else frozenset(file.can)
+        return Robot(
+            id=RobotId(file.id),
+            model=file.model or file.urdf or "",
+            description=description,
+            subtype=file.subtype,
+            can=can | _ALWAYS,
+            world_T_base=_pose(file.world_T_base),
+            home_q_rad=home,
+            parking_q_rad=parking,
+            max_acceleration_rad_s2=acceleration,
+            end_effectors=tuple(EndEffectorId(e) for e in file.end_effectors),
+            mounted=None if file.mounted is None else EndEffectorId(file.mounted),
+        )
+
+    def _check_postures(
+        self, where: str, description: Description, postures: dict[str, Sequence[Joints]]
+    ) -> None:
+        joints = description.movable_joints
+        for name, rows in postures.items():
+            for q in rows:
+                if len(q) != len(joints):
+                    message = f"{name} has {len(q)} values for {len(joints)} joints."
+                    self.problems.append(problem("L2", where, message, "State one per joint."))
+                    continue
+                for joint, value in zip(joints, q, strict=True):
+                    if not joint.lower_rad <= value <= joint.upper_rad:
+                        low, high, at = (
+                            math.degrees(x) for x in (joint.lower_rad, joint.upper_rad, value)
+                        )
+                        message = (
+                            f"{name}: joint {joint.name} at {at:.1f} deg is outside its limits "
+                            f"{low:.1f} .. {high:.1f}."
+                        )
+                        self.problems.append(problem("L2", where, message, "Stay inside them."))
+
+    def _end_effector(self, file: EndEffectorFile) -> EndEffector | None:
+        where = f"end_effector[{file.id}]"
+        description = self._description(None, file.urdf, where, None)
+        if description is None:
+            return None
+        if file.kind is EndEffectorKind.GRIPPER:
+            self._check_fingers(file, description)
+        return EndEffector(
+            id=EndEffectorId(file.id),
+            kind=file.kind,
+            description=description,
+            station=None if file.station is None else StationId(file.station),
+            station_T_mount=_pose(file.station_T_mount),
+            grips_m=file.grips_m,
+            opens_to_m=file.opens_to_m,
+            processes=tuple(file.processes),
+            fasteners=tuple(
+                FastenerRange(type=f.type, d_m=f.d_m, l_min_m=f.l_m[0], l_max_m=f.l_m[1])
+                for f in file.fasteners
+            ),
+            max_tilt_rad=math.radians(file.max_tilt_deg or 0.0) or file.max_tilt_rad or 0.0,
+            nose_half_width_m=file.nose_half_width_m,
+        )
+
+    def _check_fingers(self, file: EndEffectorFile, description: Description) -> None:
+        fingers = [j for j in description.movable_joints if j.kind is JointKind.PRISMATIC]
+        travel_m = sum(j.upper_rad for j in fingers)
+        if len(fingers) != _FINGERS or travel_m < file.opens_to_m - 1e-6:
+            message = f"It opens to {file.opens_to_m:g} m, its fingers travel {travel_m:g} m."
+            where = f"end_effector[{file.id}]"
+            self.problems.append(problem("L2", where, message, "Correct opens_to_m or the URDF."))
+
+    def _description(
+        self, model: str | None, urdf: str | None, where: str, payload_kg: float | None
+    ) -> Description | None:
+        try:
+            path = self._path(model, urdf)
+            if payload_kg is not None:
+                return read_urdf(path, payload_kg=payload_kg)
+            if path not in self._read:
+                self._read[path] = read_urdf(path)
+            return self._read[path]
+        except CellRejectedError as error:
+            self.problems += error.problems
+        except (TeamError, OSError) as error:
+            fix = "Correct the name or the path."
+            self.problems.append(problem("L3", where, f"{error}", fix))
+        return None
+
+    def _path(self, model: str | None, urdf: str | None) -> Path:
+        if model is not None:
+            return builtin_robot(model)
+        if urdf is not None and urdf.startswith("builtin:"):
+            return builtin_end_effector(urdf)
+        return self._folder / (urdf or "")
+
+
+def _station(file: StationFile, robots: dict[RobotId, Robot]) -> Station | None:
+    robot = None if file.robot is None else robots.get(RobotId(file.robot))
+    if file.robot is not None and robot is None:
+        return None
+    if file.world_T_station is None and robot is not None:
+        return _preparation(robot, StationId(file.id))
+    return Station(
+        id=StationId(file.id),
+        kind=file.kind,
+        world_T_station=_pose(file.world_T_station),
+        robot=None if robot is None else robot.id,
+    )
+
+
+def _preparation(robot: Robot, name: StationId | None = None) -> Station:
+    """Return the station at a robot's home posture."""
+    return Station(
+        id=name or StationId(f"ready-{robot.id}"),
+        kind=StationKind.PREPARATION,
+        world_T_station=robot.world_T_base @ tip_pose(robot.description, robot.home_q_rad),
+        robot=robot.id,
+    )
+
+
+def _pose(file: PoseFile | None) -> Pose:
+    if file is None:
+        return Pose()
+    length = math.hypot(*file.q_wxyz) * (-1.0 if file.q_wxyz[0] < 0.0 else 1.0)
+    w, x, y, z = (part / length for part in file.q_wxyz)
+    return Pose(file.p_m, (w, x, y, z))
+
+
+def _shape(file: GeometryFile) -> Shape:
+    if file.compound is not None:
+        return tuple(_part(p) for p in file.compound.parts)
+    return (_solid(file.box, file.convex, Pose()),)
+
+
+def _part(file: SolidFile) -> ConvexPart:
+    return _solid(file.box, file.convex, _pose(file.body_T_part))
+
+
+def _solid(box: BoxFile | None, convex: ConvexFile | None, body_T_part: Pose) -> ConvexPart:
+    if box is not None:
+        return Box(box.size_m, body_T_part)
+    points = convex.points_m if convex is not None else []
+    return Hull(tuple(body_T_part.apply(p) for p in points))
+
+
+def _radians(in_deg: Sequence[float] | None, in_rad: Sequence[float] | None) -> Joints:
+    if in_deg is not None:
+        return tuple(math.radians(x) for x in in_deg)
+    return tuple(in_rad or ())
+
+
+def _many_radians(
+    in_deg: Sequence[Sequence[float]] | None, in_rad: Sequence[Sequence[float]] | None
+) -> tuple[Joints, ...]:
+    if in_deg is not None:
+        return tuple(_radians(q, None) for q in in_deg)
+    return tuple(tuple(q) for q in in_rad or ())
