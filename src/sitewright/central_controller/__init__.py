@@ -1,1 +1,1 @@
-"""The central controller: proposal, approval, guard, and the cycle as a pure step function."""
+"""Module 2 of the paper: decides what is proposed, approved, started and recorded."""

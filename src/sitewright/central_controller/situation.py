@@ -23,6 +23,7 @@ from sitewright.planning_twin.motion import Kinematics
 from sitewright.planning_twin.task import UP, Task
 from sitewright.robot_team.cell import Cell, StationKind
 from sitewright.robot_team.driver import RobotObservation
+from sitewright.symbolic_planning.site_index import preparation_place
 from sitewright.symbolic_planning.site_view import PlaceId, RobotStatus
 
 _AT_HOME_RAD = 0.02
@@ -236,12 +237,7 @@ def robot_statuses(
 def _place(design: Design, context: SiteContext, robot: RobotId, arm: ArmState) -> PlaceId | None:
     home = design.cell.robot_by_id[robot].home_q_rad
     if max(abs(a - b) for a, b in zip(arm.q_rad, home, strict=True)) < _AT_HOME_RAD:
-        own = (
-            s.id
-            for s in design.cell.station_by_id.values()
-            if s.kind is StationKind.PREPARATION and s.robot == robot
-        )
-        return next(own, None)
+        return preparation_place(design.cell, robot)
     return context.site.place_by_robot.get(robot)
 
 

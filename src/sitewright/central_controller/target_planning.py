@@ -122,7 +122,7 @@ def plan_target(
         notes.append(_note(target, result))
         lesson = learn(geometry, result, lessons, target)
         if lesson is None:
-            return _stuck(problem, result, notes)
+            return _stuck(problem, notes)
         geometry = lesson.geometry
         known = tuple(zip(sequence.calls[: result.number], result.planned, strict=True))
     return TargetRefusal(
@@ -160,7 +160,7 @@ def _refused(problem: Problem, no: NoPlan, notes: list[RefusalNote]) -> TargetRe
     )
 
 
-def _stuck(problem: Problem, result: SequenceRefusal, notes: list[RefusalNote]) -> TargetRefusal:
+def _stuck(problem: Problem, notes: list[RefusalNote]) -> TargetRefusal:
     return TargetRefusal(
         problem=problem,
         reason=f"{notes[-1].reason}; no other order or robot avoids it",

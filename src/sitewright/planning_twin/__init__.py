@@ -1,0 +1,1 @@
+"""Module 3 of the paper: turns skills into certified, collision-free motion."""

@@ -21,6 +21,7 @@ _OFFSET_STEP_M = 0.1
 _END_MARGIN_M = 0.05
 _MAX_OFFSET_M = 0.6
 _OPENING_MARGIN_M = 0.020
+_DOWNWARDS = -0.5
 
 _X: Vector = (1.0, 0.0, 0.0)
 _APPROACHES: tuple[tuple[Vector, int, int], ...] = (
@@ -64,7 +65,7 @@ def grasps_of(piece: PieceShape, tool: EndEffector, world_T_piece: Pose) -> list
     found = [
         grasp
         for approach, axis, closing in _APPROACHES
-        if world_T_piece.turn(approach)[2] < -0.5
+        if world_T_piece.turn(approach)[2] < _DOWNWARDS
         for grasp in _from_side(piece, tool, approach, axis, closing)
     ]
     return sorted(found, key=lambda g: g.cost)

@@ -163,7 +163,7 @@ class Kinematics(Protocol):
     def solve(
         self, description: Description, base_T_tip: Pose, near_rad: Joints
     ) -> tuple[Joints, ...] | NoIk:
-        """Return all solutions inside the limits, wraps included, the nearest to `near_rad` first."""
+        """Return all solutions inside the limits, wraps included, the nearest first."""
         ...
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
-from sitewright.foundation.ids import RobotId
+from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NotClear
 from sitewright.planning_twin.scene import Attachment, Pair
@@ -30,7 +30,7 @@ SKILL_PLANNERS: Mapping[str, SkillPlanner] = {
     Skill.RETRACT: plan_retract,
     Skill.APPLY_FINISH: plan_apply_finish,
     Skill.CHANGE_END_EFFECTOR: plan_change,
-    **ACTS,
+    **{str(skill): planner for skill, planner in ACTS.items()},
 }
 """Motion planner of each skill; a new skill adds a line."""
 
@@ -52,6 +52,7 @@ class SequenceRefusal:
         site: The site as it would stand at that point.
         place_by_robot: Where each robot would be, as far as the sequence tells.
         blocking_robot: The other robot that is in the way, if one is.
+        planned: Motions of the calls before it.
     """
 
     number: int
@@ -60,6 +61,7 @@ class SequenceRefusal:
     site: Jobsite
     place_by_robot: Mapping[RobotId, str | None]
     blocking_robot: RobotId | None = None
+    planned: tuple[PlannedSkill, ...] = ()
 
 
 def plan_sequence(
@@ -68,6 +70,8 @@ def plan_sequence(
     calls: tuple[SkillCall, ...],
     place_by_robot: Mapping[RobotId, str | None],
     known: tuple[PlannedSkill, ...] = (),
+    *,
+    only_first: bool = False,
 ) -> PlannedSequence | SequenceRefusal:
     """Plan all motions of a skill sequence.
 
@@ -80,10 +84,12 @@ def plan_sequence(
         calls: The skill sequence.
         place_by_robot: Place of each robot at the start; None is in transit.
         known: Motions of the first calls that were planned before and still hold.
+        only_first: Plan just the first call; the others say what it has to lead to.
     """
     planned = list(known)
     parking: dict[RobotId, int] = {}
-    while len(planned) < len(calls):
+    wanted = 1 if only_first else len(calls)
+    while len(planned) < wanted:
         number = len(planned)
         site = planned[-1].site_after if planned else context.site
         stage = Stage(
@@ -107,16 +113,16 @@ def plan_sequence(
                 site=site,
                 place_by_robot=places,
                 blocking_robot=blocker,
+                planned=tuple(planned),
             )
         planned = planned[:again]
-    return PlannedSequence(calls=calls, skills=tuple(planned))
+    return PlannedSequence(calls=calls[:wanted], skills=tuple(planned))
 
 
 def _context_at(context: TwinContext, site: Jobsite, done: tuple[SkillCall, ...]) -> TwinContext:
     """Return the context with the site of a step, and the piece in place if one is by then."""
-    placed = next(
-        (c.arguments[0] for c in reversed(done) if c.skill == Skill.POSITION), context.task.placed
-    )
+    positioned = (ComponentId(c.arguments[0]) for c in reversed(done) if c.skill == Skill.POSITION)
+    placed = next(positioned, context.task.placed)
     return replace(context, site=site, task=replace(context.task, placed=placed))
 
 

@@ -21,6 +21,7 @@ from sitewright.planning_twin.refusal import NoIk, Refusal
 from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import Capability, EndEffectorKind, Robot, StationKind
 from sitewright.robot_team.skill import Skill
+from sitewright.symbolic_planning.site_index import preparation_place
 from sitewright.symbolic_planning.site_view import GeometricFacts, PlaceId
 
 SKILL_TIME_S: Mapping[str, float] = {
@@ -191,16 +192,15 @@ def _reaches(context: TwinContext, site: Jobsite, robot: Robot, spot: Spot) -> b
 def _station_facts(
     context: TwinContext, facts: GeometricFacts, robots: list[Robot]
 ) -> GeometricFacts:
-    """Add preparation stations (own only) and tool stations whose docks are within reach."""
+    """Add each robot's preparation station, and tool stations whose docks are within reach."""
     reach = set(facts.can_reach)
+    reach |= {(r.id, preparation_place(context.cell, r.id)) for r in robots}
     scene = scene_of(context.site)
     for station in context.cell.station_by_id.values():
         for robot in robots:
             if station.robot not in (None, robot.id):
                 continue
-            if station.kind is StationKind.PREPARATION:
-                reach.add((robot.id, station.id))
-            elif station.kind is StationKind.TOOL and robot.end_effectors:
+            if station.kind is StationKind.TOOL and robot.end_effectors:
                 reaching = Reaching(backends=context.backends, scene=scene, robot=robot.id)
                 docks = [
                     world_T_dock(context.cell, tool)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
@@ -121,7 +122,7 @@ def _lines(
     points = [spot.world_T_operation.turn(p) for p in stroke_points(spot)]
     lines: list[tuple[Joints, ...]] = []
     pose, q_rad = world_T_tip, start_rad
-    for here, there in zip(points, points[1:], strict=False):
+    for here, there in pairwise(points):
         shift = tuple(b - a for a, b in zip(here, there, strict=True))
         goal = translation(*shift) @ pose
         line = reaching.line(pose, goal, q_rad)
@@ -159,4 +160,4 @@ def _peak_tip_speed(stage: Stage, robot: RobotId, motion: PlannedMotion) -> floa
     step_s = trajectory.duration_s / count
     arm, kinematics = stage.robot(robot).description, stage.context.backends.kinematics
     tips = [kinematics.tip(arm, trajectory.at(k * step_s)[0]).position_m for k in range(count + 1)]
-    return max(distance(a, b) for a, b in zip(tips, tips[1:], strict=False)) / step_s
+    return max(distance(a, b) for a, b in pairwise(tips)) / step_s

@@ -24,6 +24,7 @@ from sitewright.planning_twin.skill_motions.tool_change import above_dock
 from sitewright.planning_twin.touches import pick_touch, place_touch, set_down_touch, spot_touch
 from sitewright.robot_team.cell import StationKind
 from sitewright.robot_team.skill import Skill, SkillCall
+from sitewright.symbolic_planning.site_index import preparation_place
 
 
 def plan_reach(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -38,7 +39,7 @@ def plan_reach(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
 
 def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Refusal:
     station = stage.context.cell.station_by_id.get(StationId(place))
-    if station is not None and station.kind is StationKind.PREPARATION:
+    if place == preparation_place(stage.context.cell, robot):
         return move_to(stage, robot, stage.robot(robot).home_q_rad)
     if station is not None and station.kind is StationKind.TOOL:
         return _above_dock(stage, robot)

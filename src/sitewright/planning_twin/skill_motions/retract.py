@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from sitewright.foundation.ids import BodyId, RobotId
+from sitewright.foundation.ids import BodyId, RobotId, StationId
 from sitewright.foundation.pose import scale
 from sitewright.planning_twin.approach import CONTACT_M, Approach, Touch, straight_approach
 from sitewright.planning_twin.jobsite import bodies_of_tool, scene_of
@@ -23,6 +21,7 @@ from sitewright.planning_twin.touches import lift_thresholds
 from sitewright.robot_team.cell import StationKind
 from sitewright.robot_team.gripper import mount_T_tcp
 from sitewright.robot_team.skill import Skill, SkillCall
+from sitewright.symbolic_planning.site_index import preparation_place
 
 
 def plan_retract(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -50,8 +49,9 @@ def _is_followed_by_reach(stage: Stage, call: SkillCall) -> bool:
 def _way_out(stage: Stage, call: SkillCall) -> tuple[PathSegment, ...] | NoIk:
     """Return the straight lines out of contact; none from a place that touches nothing."""
     (place,) = call.arguments
-    station = stage.context.cell.station_by_id.get(place)  # type: ignore[call-overload]
-    if station is not None and station.kind is not StationKind.BUFFER:
+    station = stage.context.cell.station_by_id.get(StationId(place))
+    is_tool_station = station is not None and station.kind is StationKind.TOOL
+    if is_tool_station or place == preparation_place(stage.context.cell, call.robot):
         return ()
     way = straight_approach(
         stage.reaching(call.robot), _touch_now(stage, call.robot), stage.q_rad(call.robot)
@@ -128,9 +128,3 @@ def _prefixed(
         return motion
     segments = (*out, *motion.timed.path.segments)
     return finished_motion(stage, robot, scene_of(stage.site), segments)
-
-
-def opened(stage: Stage, robot: RobotId, aperture_m: float) -> Stage:
-    """Return the stage with a robot's gripper opened and empty."""
-    arm = replace(stage.site.arms[robot], aperture_m=aperture_m, held=None)
-    return stage.at(replace(stage.site, arms={**stage.site.arms, robot: arm}))

@@ -36,6 +36,7 @@ from sitewright.robot_team.cell import EndEffector
 from sitewright.robot_team.skill import SkillCall
 
 _ABOVE_M = 2 * PRE_M
+_SAME_PLACE_M = 0.001
 
 
 def above_dock(dock: Pose) -> Pose:
@@ -151,7 +152,7 @@ def _lines(stage: Stage, robot: RobotId, tool: EndEffector) -> Approach | NoIk:
     start = stage.tip(robot)
     reaching = stage.reaching(robot)
     down = reaching.line(above_dock(dock), dock, stage.q_rad(robot))
-    if above_dock(dock).distance_to_m(start) > 1e-3 or isinstance(down, NoIk):
+    if above_dock(dock).distance_to_m(start) > _SAME_PLACE_M or isinstance(down, NoIk):
         postures = reaching.solve(dock, stage.q_rad(robot))
         return (
             postures if isinstance(postures, NoIk) else _first_line(stage, robot, touch, postures)

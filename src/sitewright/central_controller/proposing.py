@@ -1,0 +1,375 @@
+"""Proposals for the front target: graph, batch check, symbolic plan and motions put together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from sitewright.central_controller.other_ways import continuation, other_ways
+from sitewright.central_controller.ports import (
+    Alternative,
+    Escalation,
+    FactsChanged,
+    NothingToDo,
+    Planned,
+    ProposalOutcome,
+    RefusalNote,
+    SiteContext,
+    StillClear,
+)
+from sitewright.central_controller.proposal import Proposal, ProposedStep
+from sitewright.central_controller.situation import (
+    Design,
+    jobsite_of,
+    lies_at,
+    robot_statuses,
+    target_node,
+    task_of,
+)
+from sitewright.central_controller.target_planning import (
+    PlanningPorts,
+    Stopwatch,
+    TargetPlan,
+    TargetRefusal,
+    plan_target,
+)
+from sitewright.construction_graph.graph import ConstructionGraph
+from sitewright.construction_graph.queries import accessible_materials, is_ready
+from sitewright.construction_graph.queue import target_queue
+from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.planning_twin.feedback import in_words
+from sitewright.planning_twin.jobsite import Jobsite, PieceShape
+from sitewright.planning_twin.motion import PlannedMotion
+from sitewright.planning_twin.recheck import recertify
+from sitewright.planning_twin.refusal import StaleCertificate
+from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal, plan_sequence
+from sitewright.planning_twin.study import Study, study
+from sitewright.planning_twin.task import TwinContext
+from sitewright.robot_team.cell import Capability
+from sitewright.robot_team.skill import SkillCall
+from sitewright.symbolic_planning.grounding import GroundAction
+from sitewright.symbolic_planning.problem import Problem, problem_for
+from sitewright.symbolic_planning.site_view import SiteView
+
+GraphOf = Callable[[SiteContext], ConstructionGraph]
+
+_NO_PLAN_PROVEN, _LIMIT, _NO_MOTION = 4, 5, 6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Situation:
+    """Everything that is known about one target at one moment."""
+
+    target: ComponentId
+    twin: TwinContext
+    study: Study
+    view: SiteView
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Proposals:
+    """The proposal source and start check of a project (ports `ProposalSource`, `StartCheck`).
+
+    Attributes:
+        graph_of: The construction relationship graph of a folded site.
+        identity: Hashes of team, cell, model and domain, for the fingerprint.
+        seed: First seed of all motion searches.
+    """
+
+    design: Design
+    shapes: Mapping[ComponentId, PieceShape]
+    ports: PlanningPorts
+    graph_of: GraphOf
+    identity: Mapping[str, str]
+    seed: int = 0
+
+    def propose(
+        self, context: SiteContext, *, exclude: frozenset[ComponentId] = frozenset()
+    ) -> ProposalOutcome:
+        """Plan the front target of the queue, widening the choice of pieces if geometry refuses."""
+        graph = self.graph_of(context)
+        target = self._front(graph, context, exclude)
+        if target is None:
+            return NothingToDo()
+        watch = Stopwatch(clock=self.ports.clock)
+        notes: list[RefusalNote] = []
+        pieces = self._pieces(graph, context, target)
+        outcome: TargetPlan | TargetRefusal | None = None
+        situation: Situation | None = None
+        for candidates in pieces:
+            situation = self._situation(graph, context, target, candidates, watch)
+            outcome = plan_target(
+                self.ports, situation.twin, situation.study, situation.view, watch
+            )
+            notes += outcome.notes
+            if isinstance(outcome, TargetPlan):
+                return self._planned(context, situation, outcome, notes, watch)
+        return self._escalation(target, graph, outcome, notes, watch)
+
+    def alternatives(self, context: SiteContext) -> tuple[Alternative, ...]:
+        """Return what could be done next instead, the cheapest first."""
+        graph = self.graph_of(context)
+        target = self._front(graph, context, frozenset())
+        if target is None:
+            return ()
+        situation = self._first_situation(graph, context, target)
+        problem = problem_for(self.ports.domain, situation.view)
+        return other_ways(problem, self.ports.symbolic)
+
+    def propose_single(self, context: SiteContext, call: SkillCall) -> ProposalOutcome:
+        """Plan one chosen call, with the best continuation in mind."""
+        graph = self.graph_of(context)
+        target = self._front(graph, context, frozenset())
+        if target is None:
+            return NothingToDo()
+        watch = Stopwatch(clock=self.ports.clock)
+        situation = self._first_situation(graph, context, target, watch)
+        problem = problem_for(self.ports.domain, situation.view)
+        following = continuation(problem, self.ports.symbolic, call)
+        start = {r: s.place for r, s in situation.view.robot_status.items()}
+        watch.start()
+        planned = plan_first(situation, call, following, start)
+        watch.stop("motion")
+        if isinstance(planned, SequenceRefusal):
+            note = RefusalNote(
+                target=target,
+                kind=type(planned.cause.refusal).__name__,
+                reason=in_words(planned.cause.refusal),
+                is_proven=False,
+            )
+            return Escalation(target=target, reason=note.reason, is_proven=False, refusals=(note,))
+        proposal = self._proposal(context, target, problem, planned)
+        return Planned(proposal=proposal, timing_s=_timing(watch, planned))
+
+    def check(
+        self, step: ProposedStep, context: SiteContext
+    ) -> StillClear | StaleCertificate | FactsChanged:
+        """Evaluate what a step relies on, then prove its motions on the scene as sensed."""
+        graph = self.graph_of(context)
+        site = jobsite_of(self.design, self.shapes, context, self.ports.backends.kinematics)
+        target = self._front(graph, context, frozenset())
+        if target is None:
+            return FactsChanged(facts=step.relies_on)
+        named = tuple(ComponentId(a) for a in step.call.arguments if a in self.shapes)
+        candidates = named or self._pieces(graph, context, target)[0]
+        view = self._view(graph, context, site, target, candidates)
+        problem = problem_for(self.ports.domain, view)
+        holds = {_text(problem, f) for f in problem.init}
+        missing = tuple(f for f in step.relies_on if f not in holds)
+        if missing:
+            return FactsChanged(facts=missing)
+        proof = recertify(self.ports.backends.certifier, site, step.motions)
+        return proof if isinstance(proof, StaleCertificate) else StillClear(proof)
+
+    def _front(
+        self, graph: ConstructionGraph, context: SiteContext, exclude: frozenset[ComponentId]
+    ) -> ComponentId | None:
+        """Return the first target of the queue that is ready; one in progress goes first."""
+        out = exclude | set(context.site.refused) | set(context.site.installed)
+        waiting = [t for t in target_queue(graph) if t not in out]
+        started = [t for t in waiting if t in context.site.placed]
+        ready = [t for t in waiting if is_ready(graph, target_node(graph, t))]
+        return next(iter(started + ready), None)
+
+    def _pieces(
+        self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
+    ) -> list[tuple[ComponentId, ...]]:
+        """Return choices of pieces: the one in place or in hand, else nearest, then all."""
+        placed = context.site.placed.get(target)
+        if placed is not None:
+            return [(placed.piece,)]
+        node = target_node(graph, target)
+        accessible = [m.id for m in accessible_materials(graph, node)]
+        held = [
+            r.gripped
+            for r in context.observation.robots.values()
+            if r.gripped is not None and r.gripped in self.shapes
+        ]
+        if held:
+            return [tuple(held)]
+        ordered = sorted(accessible, key=lambda m: (self._distance(context, m), m))
+        return [tuple(ordered[:k]) for k in range(1, len(ordered) + 1)] or [()]
+
+    def _distance(self, context: SiteContext, piece: ComponentId) -> float:
+        """Return the distance to the nearest robot that may grasp (base to middle of the box)."""
+        pose = context.observation.world_T_piece.get(piece)
+        robots = self.design.cell.robot_by_id.values()
+        bases = [r.world_T_base for r in robots if Capability.GRASPING in r.can]
+        if pose is None or not bases:
+            return float("inf")
+        return min(pose.distance_to_m(b) for b in bases)
+
+    def _first_situation(
+        self,
+        graph: ConstructionGraph,
+        context: SiteContext,
+        target: ComponentId,
+        watch: Stopwatch | None = None,
+    ) -> Situation:
+        candidates = self._pieces(graph, context, target)[0]
+        used = watch or Stopwatch(clock=self.ports.clock)
+        return self._situation(graph, context, target, candidates, used)
+
+    def _situation(
+        self,
+        graph: ConstructionGraph,
+        context: SiteContext,
+        target: ComponentId,
+        candidates: tuple[ComponentId, ...],
+        watch: Stopwatch,
+    ) -> Situation:
+        site = jobsite_of(self.design, self.shapes, context, self.ports.backends.kinematics)
+        task = task_of(self.design, graph, context, target, candidates)
+        twin = TwinContext(backends=self.ports.backends, site=site, task=task, seed=self.seed)
+        places = lies_at(graph, candidates)
+        watch.start()
+        studied = study(twin, places)
+        watch.stop("motion")
+        view = self._view(graph, context, site, target, candidates)
+        return Situation(
+            target=target, twin=twin, study=studied, view=replace(view, geometry=studied.facts)
+        )
+
+    def _view(
+        self,
+        graph: ConstructionGraph,
+        context: SiteContext,
+        site: Jobsite,
+        target: ComponentId,
+        candidates: tuple[ComponentId, ...],
+    ) -> SiteView:
+        in_hand = {arm.held for arm in site.arms.values()}
+        loose = tuple(c for c in candidates if c not in in_hand)
+        placed = context.site.placed
+        return SiteView(
+            graph=graph,
+            cell=self.design.cell,
+            target=target,
+            candidates=candidates,
+            robot_status=robot_statuses(self.design, context, site),
+            lies_at=lies_at(graph, loose),
+            in_place={t: p.piece for t, p in placed.items() if t not in context.site.installed},
+            standing=context.site.standing,
+            done_operations=context.site.done_operations,
+            docked=dict(context.observation.docked),
+        )
+
+    def _planned(
+        self,
+        context: SiteContext,
+        situation: Situation,
+        plan: TargetPlan,
+        notes: Sequence[RefusalNote],
+        watch: Stopwatch,
+    ) -> Planned:
+        return Planned(
+            proposal=self._proposal(context, situation.target, plan.problem, plan.motions),
+            attachments={
+                "domain": self.ports.domain.text,
+                "problem": plan.problem.text,
+                "plan": plan.sequence.text,
+            },
+            refusals=tuple(dict.fromkeys(notes)),
+            timing_s=_timing(watch, plan.motions),
+        )
+
+    def _proposal(
+        self,
+        context: SiteContext,
+        target: ComponentId,
+        problem: Problem,
+        motions: PlannedSequence,
+    ) -> Proposal:
+        pairs = zip(motions.calls, motions.skills, strict=True)
+        steps = tuple(
+            ProposedStep(
+                number=number,
+                call=call,
+                params=skill.params,
+                motions=skill.motions,
+                duration_s=skill.act_s + sum(m.timed.trajectory.duration_s for m in skill.motions),
+                relies_on=_relied_on(problem, problem.action(call)),
+                effects=_effects(problem, problem.action(call)),
+                contacts=_contacts(skill.motions),
+            )
+            for number, (call, skill) in enumerate(pairs, start=1)
+        )
+        return Proposal(
+            run=context.run,
+            target=target,
+            steps=steps,
+            site_serial=context.site.serial,
+            context=dict(self.identity),
+        )
+
+    def _escalation(
+        self,
+        target: ComponentId,
+        graph: ConstructionGraph,
+        outcome: TargetPlan | TargetRefusal | None,
+        notes: Sequence[RefusalNote],
+        watch: Stopwatch,
+    ) -> Escalation:
+        if not isinstance(outcome, TargetRefusal):
+            node = target_node(graph, target)
+            raise TypeError(f"{target} ({node.type}) was neither planned nor refused")
+        code = _NO_PLAN_PROVEN if outcome.is_proven else _NO_MOTION
+        return Escalation(
+            target=target,
+            reason=outcome.reason,
+            is_proven=outcome.is_proven,
+            exit_code=_LIMIT if outcome.is_limit else code,
+            attachments={"domain": self.ports.domain.text, "problem": outcome.problem.text},
+            refusals=tuple(dict.fromkeys(notes)),
+            timing_s=dict(watch.spent_s),
+        )
+
+
+def plan_first(
+    situation: Situation,
+    call: SkillCall,
+    following: tuple[SkillCall, ...],
+    start: Mapping[RobotId, str | None],
+) -> PlannedSequence | SequenceRefusal:
+    """Plan the motion of the first call only; what follows decides its freedoms."""
+    return plan_sequence(
+        situation.twin, situation.study, (call, *following), start, only_first=True
+    )
+
+
+def _timing(watch: Stopwatch, motions: PlannedSequence) -> dict[str, float]:
+    del motions
+    spent = dict(watch.spent_s)
+    spent["total"] = sum(spent.values())
+    return spent
+
+
+def _relied_on(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:
+    """Return the changeable facts that a step needs, in site ids."""
+    if action is None:
+        return ()
+    fluents = problem.domain.fluents()
+    needed = [f for f in action.needs if f[0] in fluents]
+    return tuple(sorted(_text(problem, f) for f in needed))
+
+
+def _effects(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:
+    if action is None:
+        return ()
+    added = [_text(problem, f) for f in action.adds]
+    deleted = [f"(not {_text(problem, f)})" for f in action.deletes]
+    return tuple(sorted(added) + sorted(deleted))
+
+
+def _text(problem: Problem, fact: tuple[str, ...]) -> str:
+    return f"({' '.join(problem.in_site_ids(fact))})"
+
+
+def _contacts(motions: Sequence[PlannedMotion]) -> tuple[tuple[str, str], ...]:
+    pairs = {
+        pair
+        for motion in motions
+        for segment in motion.timed.path.segments
+        for pair in segment.threshold_m
+    }
+    return tuple(sorted(pairs))
