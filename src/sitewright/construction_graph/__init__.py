@@ -1,0 +1,1 @@
+"""The construction relationship graph of the paper: what rests on what, and what comes next."""

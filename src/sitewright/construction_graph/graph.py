@@ -12,6 +12,9 @@ from sitewright.foundation.pose import Pose, Vector
 JOBSITE = ComponentId("jobsite")
 """Root of every graph; everything that stands on the ground has it as construction parent."""
 
+NOWHERE = StockPlaceId("")
+"""Place of a piece that lies at no stock place: in a gripper, at its target, or fallen."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Node:
@@ -58,7 +61,7 @@ class MaterialNode(Node):
     """A piece of stock; its construction parent is the piece below it, or the jobsite.
 
     Attributes:
-        place: Stock place (or buffer) that it lies at.
+        place: Stock place (or buffer) that it lies at; `NOWHERE` if it lies at none.
         material: Designer's word for what it is made of; empty if not stated.
     """
 
@@ -68,6 +71,12 @@ class MaterialNode(Node):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConstructionGraph:
-    """All nodes by id, the jobsite left out; edges are the construction parents."""
+    """All nodes by id, the jobsite left out; edges are the construction parents.
+
+    Attributes:
+        comes_before: Pairs (earlier, later) of components that do not carry each other but
+            must be installed in this order.
+    """
 
     node_by_id: Mapping[ComponentId, Node]
+    comes_before: tuple[tuple[ComponentId, ComponentId], ...] = ()

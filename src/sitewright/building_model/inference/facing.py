@@ -1,0 +1,170 @@
+"""Which long side of the building a component is brought from, and which face the gripper meets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from sitewright.building_model.component import BoxGeometry, Component
+from sitewright.building_model.inference.order import Arrival
+from sitewright.building_model.inference.solid import Solid
+from sitewright.building_model.inference.statics import GROUND_M, Statics
+from sitewright.foundation.pose import (
+    Pose,
+    Vector,
+    add,
+    cross,
+    distance,
+    dot,
+    rotation,
+    scale,
+    subtract,
+    unit,
+)
+
+STANDOFF_M = 1.0
+"""An arm is taken to stand this far off the middle of a long side ..."""
+SHOULDER_M = 1.1
+"""... with its shoulder this high above the ground."""
+CORRIDOR_M = 0.6
+"""Gripper and wrist need this much room in front of the face."""
+_HALF_WIDTH_M = 0.10
+_STEP_M = 0.05
+_LEANS = 0.2
+_COVERED = 2.0
+_BLOCKED = 4.0
+_FACES = ((1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0))
+_RIGHT_ANGLE = 1.5707963267948966
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surroundings:
+    """The building's long axis and where arms are taken to stand, in the model frame.
+
+    Attributes:
+        along: Unit vector of the long side.
+        shoulder_m: By side (``a``: to the left of `along` seen from above, ``b``: opposite).
+    """
+
+    along: Vector
+    middle_m: Vector
+    shoulder_m: dict[str, Vector]
+
+
+def surroundings_of(statics: Statics) -> Surroundings:
+    """Look at the extent of the building and put an arm on each long side."""
+    up = statics.up
+    along, across = _horizontal_axes(up)
+    solids = list(statics.solid_by_id.values())
+    if _extent(solids, across) > _extent(solids, along):
+        along, across = across, scale(along, -1.0)
+    middle = _sum(scale(axis, _middle(solids, axis)) for axis in (along, across))
+    ground_m = min(s.lowest_m(up) for s in solids)
+    half_m = _extent(solids, across) / 2.0 + STANDOFF_M
+    raised = add(middle, scale(up, ground_m + SHOULDER_M))
+    return Surroundings(
+        along=along,
+        middle_m=middle,
+        shoulder_m={
+            "a": add(raised, scale(across, half_m)),
+            "b": subtract(raised, scale(across, half_m)),
+        },
+    )
+
+
+def side_of(component: Component, arrival: Arrival, around: Surroundings) -> str:
+    """Return the long side that it comes from: where its way in leads, else the nearer one."""
+    outwards = unit(subtract(around.shoulder_m["a"], around.shoulder_m["b"]))
+    lean = dot(arrival.way.direction, outwards) if arrival.way is not None else 0.0
+    if abs(lean) > _LEANS:
+        return "a" if lean > 0.0 else "b"
+    middle = component.world_T_component.position_m
+    return min("ab", key=lambda side: distance(middle, around.shoulder_m[side]))
+
+
+def turn_of(
+    component: Component, statics: Statics, there: Iterable[Arrival], shoulder_m: Vector
+) -> Pose:
+    """Return how the piece lies on its pile: turned about its length, the gripper's face up.
+
+    The gripper takes a piece from above, and still has it by this face when it is placed: it
+    should look at the arm, with room in front, and the faces beside it free for the fingers.
+
+    Args:
+        component: A box-shaped target.
+        statics: Contacts and solids of the model.
+        there: What is built before it.
+        shoulder_m: Where the arm's shoulder is taken to be.
+    """
+    built = [a.id for a in there]
+    axis, sign = max(_FACES, key=lambda face: _worth(component, statics, built, shoulder_m, face))
+    if axis == 1:
+        return rotation((1.0, 0.0, 0.0), sign * _RIGHT_ANGLE)
+    return Pose() if sign > 0.0 else rotation((1.0, 0.0, 0.0), 2.0 * _RIGHT_ANGLE)
+
+
+def _worth(
+    component: Component,
+    statics: Statics,
+    built: list[str],
+    shoulder_m: Vector,
+    face: tuple[int, float],
+) -> float:
+    axis, sign = face
+    pose = component.world_T_component
+    normal = scale((pose.x_axis, pose.y_axis, pose.z_axis)[axis], sign)
+    closing = (pose.x_axis, pose.y_axis, pose.z_axis)[3 - axis]
+    covered = sum(
+        share
+        for other, share, direction in _covers(component, statics)
+        if (other is None or other in built)
+        and (dot(direction, normal) > _LEANS or abs(dot(direction, closing)) > _LEANS)
+    )
+    assert isinstance(component.geometry, BoxGeometry)  # noqa: S101 - solids are boxes
+    start = add(pose.position_m, scale(normal, component.geometry.size_m[axis] / 2.0))
+    others = [statics.solid_by_id[i] for i in statics.solid_by_id if i in built]
+    return (
+        dot(normal, unit(subtract(shoulder_m, pose.position_m)))
+        - _COVERED * covered
+        - (_BLOCKED if _is_blocked(start, normal, others) else 0.0)
+    )
+
+
+def _covers(component: Component, statics: Statics) -> list[tuple[str | None, float, Vector]]:
+    """Return what touches its long faces: who (None: the ground), share of a face, direction."""
+    assert isinstance(component.geometry, BoxGeometry)  # noqa: S101 - solids are boxes
+    length, width, height = component.geometry.size_m
+    area_m2 = length * min(width, height)
+    found: list[tuple[str | None, float, Vector]] = [
+        (c.other, min(1.0, c.area_m2 / area_m2), c.normal) for c in statics.touching[component.id]
+    ]
+    if statics.solid_by_id[component.id].lowest_m(statics.up) <= statics.ground_m + GROUND_M:
+        found.append((None, 1.0, scale(statics.up, -1.0)))
+    return found
+
+
+def _is_blocked(start: Vector, normal: Vector, others: list[Solid]) -> bool:
+    steps = range(1, int(CORRIDOR_M / _STEP_M) + 1)
+    points = [add(start, scale(normal, k * _STEP_M)) for k in steps]
+    return any(solid.is_near(point, _HALF_WIDTH_M) for point in points for solid in others)
+
+
+def _horizontal_axes(up: Vector) -> tuple[Vector, Vector]:
+    hint: Vector = (1.0, 0.0, 0.0) if abs(up[0]) < abs(up[2]) else (0.0, 0.0, 1.0)
+    along = unit(subtract(hint, scale(up, dot(up, hint))))
+    return along, cross(up, along)
+
+
+def _extent(solids: list[Solid], axis: Vector) -> float:
+    return max(s.highest_m(axis) for s in solids) - min(s.lowest_m(axis) for s in solids)
+
+
+def _middle(solids: list[Solid], axis: Vector) -> float:
+    return (max(s.highest_m(axis) for s in solids) + min(s.lowest_m(axis) for s in solids)) / 2.0
+
+
+def _sum(vectors: Iterable[Vector]) -> Vector:
+    total: Vector = (0.0, 0.0, 0.0)
+    for vector in vectors:
+        total = add(total, vector)
+    return total

@@ -1,0 +1,166 @@
+"""Can this cell build this model? Everything that can be said without planning a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sitewright.building_model.component import Component, Layer, Operation, Process
+from sitewright.building_model.findings import refused
+from sitewright.building_model.model import BuildingModel
+from sitewright.building_model.shapes import mass_of, shape_of, size_of
+from sitewright.building_model.validation import STRUCTURE_CODES, check_model
+from sitewright.construction_graph.reach import is_box_in_reach, is_point_in_reach
+from sitewright.errors import Problem, did_you_mean
+from sitewright.foundation.pose import Pose
+from sitewright.robot_team.cell import Capability, Cell, EndEffector, EndEffectorKind, Robot
+from sitewright.robot_team.description import Description
+
+_DRIVEN = frozenset({Process.NAIL, Process.SCREW, Process.DRILL})
+_SAME_DIAMETER_M = 1e-4
+_TOOLED = _DRIVEN | {Process.PAINT}
+
+Crew = list[tuple[Robot, EndEffector]]
+"""Robots, each with an end effector that it can carry."""
+
+
+def check_project(model: BuildingModel, cell: Cell) -> list[Problem]:
+    """Return all problems of a model by itself and with a cell, errors first."""
+    found = check_model(model)
+    if any(p.code in STRUCTURE_CODES and p.severity == "E" for p in found):
+        return found
+    found += _stack_problems(model, cell)
+    for component in model.component_by_id.values():
+        if component.layer is Layer.TARGET:
+            found += _target_problems(model, cell, component)
+    return sorted(found, key=lambda p: (p.severity, p.where, p.code, p.message))
+
+
+def _stack_problems(model: BuildingModel, cell: Cell) -> Iterator[Problem]:
+    for stack in model.stacks:
+        if stack.place not in cell.stock_place_by_id:
+            hint = did_you_mean(stack.place, cell.stock_place_by_id)
+            yield Problem(
+                code="Q5",
+                severity="E",
+                where=stack.id,
+                message=f"It stands at {stack.place!r}, which the cell lacks.{hint}",
+                fix="Add a [[stock_place]] to the cell, or correct 'place'.",
+            )
+
+
+def _target_problems(model: BuildingModel, cell: Cell, component: Component) -> Iterator[Problem]:
+    world_T_component = cell.world_T_model @ component.world_T_component
+    yield from _handling(model, cell, component, world_T_component)
+    for operation in component.operations:
+        if operation.process in _TOOLED:
+            yield from _tooling(cell, component, operation, world_T_component)
+
+
+def _handling(
+    model: BuildingModel, cell: Cell, component: Component, world_T_component: Pose
+) -> Iterator[Problem]:
+    """Yield the first reason that leaves no robot to place a component."""
+    crew = _crew(cell, Capability.GRASPING, EndEffectorKind.GRIPPER)
+    if not crew:
+        yield refused(
+            "Q6", component, "No robot of the cell has a gripper and can grasp.", "Add one."
+        )
+        return
+    holding = [(r, e) for r, e in crew if _grips(e, component)]
+    if not holding:
+        ranges = ", ".join(f"{e.id} {_millimetres(e.grips_m or ())}" for _, e in crew)
+        section = " x ".join(f"{s * 1000:g}" for s in size_of(component)[1:])
+        message = f"No gripper holds its section of {section} mm ({ranges} mm)."
+        yield refused("Q2", component, message, "Add a gripper with a wider range.")
+        return
+    mass_kg = mass_of(component, model.materials)
+    lifting = [(r, e) for r, e in holding if mass_kg + _mass_kg(e.description) <= _payload_kg(r)]
+    if not lifting:
+        robot, gripper = max(holding, key=lambda c: _payload_kg(c[0]) - _mass_kg(c[1].description))
+        message = (
+            f"It weighs {mass_kg:.1f} kg; with {gripper.id} ({_mass_kg(gripper.description):.1f} kg) "
+            f"that is more than the {_payload_kg(robot):g} kg of {robot.id}."
+        )
+        yield refused("Q1", component, message, "Use a stronger robot or a lighter component.")
+        return
+    if not any(is_box_in_reach(r, e, shape_of(component), world_T_component) for r, e in lifting):
+        names = ", ".join(sorted({r.id for r, _ in lifting}))
+        message = f"No part of it is within reach of {names}."
+        yield refused("Q4", component, message, "Move it, the model or a robot's base.")
+
+
+def _tooling(
+    cell: Cell, component: Component, operation: Operation, world_T_component: Pose
+) -> Iterator[Problem]:
+    """Yield the first reason that leaves no robot to do an operation."""
+    crew = [(r, e) for r, e in _finishers(cell, operation) if _does(e, operation)]
+    if not crew:
+        spec = operation.fastener
+        what = (
+            f"{spec.type} {spec.d_m * 1000:g} x {spec.l_m * 1000:g} mm"
+            if spec
+            else operation.process.value
+        )
+        verb = "drives" if operation.process in _DRIVEN else "does"
+        offers = "; ".join(_offer(e) for _, e in _finishers(cell, operation)) or "no tool at all"
+        message = f"No tool {verb} {what} of {operation.id!r}; the cell has {offers}."
+        yield refused("Q3", component, message, "Add a tool for it to the cell.")
+        return
+    place = (world_T_component @ operation.component_T_operation).position_m
+    if not any(is_point_in_reach(r, e, place) for r, e in crew):
+        names = ", ".join(sorted({r.id for r, _ in crew}))
+        message = f"Operation {operation.id!r} is out of reach of {names}."
+        yield refused("Q4", component, message, "Move it, the model or a robot's base.")
+
+
+def _finishers(cell: Cell, operation: Operation) -> Crew:
+    skill = Capability.FASTENING if operation.process in _DRIVEN else Capability.FINISHING
+    return _crew(cell, skill, EndEffectorKind.TOOL)
+
+
+def _crew(cell: Cell, skill: Capability, kind: EndEffectorKind) -> Crew:
+    return [
+        (robot, tool)
+        for robot in cell.robot_by_id.values()
+        if skill in robot.can
+        for name in robot.end_effectors
+        if (tool := cell.end_effector_by_id[name]).kind is kind
+    ]
+
+
+def _grips(gripper: EndEffector, component: Component) -> bool:
+    """Return whether the fingers can close along the component's y or z axis."""
+    low, high = gripper.grips_m or (0.0, 0.0)
+    return any(low <= width <= high for width in size_of(component)[1:])
+
+
+def _does(tool: EndEffector, operation: Operation) -> bool:
+    if operation.process.value not in tool.processes:
+        return False
+    spec = operation.fastener
+    return spec is None or any(
+        f.type == spec.type
+        and abs(f.d_m - spec.d_m) <= _SAME_DIAMETER_M
+        and f.l_min_m - 1e-6 <= spec.l_m <= f.l_max_m + 1e-6
+        for f in tool.fasteners
+    )
+
+
+def _offer(tool: EndEffector) -> str:
+    ranges = [
+        f"{f.type} {f.d_m * 1000:g} x {_millimetres((f.l_min_m, f.l_max_m))} mm"
+        for f in tool.fasteners
+    ]
+    return f"{tool.id}: {', '.join(ranges or tool.processes)}"
+
+
+def _millimetres(span_m: tuple[float, ...]) -> str:
+    return "-".join(f"{x * 1000:g}" for x in span_m)
+
+
+def _mass_kg(description: Description) -> float:
+    return sum(link.mass_kg for link in description.links)
+
+
+def _payload_kg(robot: Robot) -> float:
+    return robot.description.payload_kg
