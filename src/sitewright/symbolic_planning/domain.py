@@ -14,10 +14,11 @@ ROBOT = "robot"
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A variable (``?r``) or a constant, with its type."""
+    """A variable (``?r``) or a constant, with its type and the line that it stands on."""
 
     name: str
     type: str
+    line: int
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,21 +11,21 @@ from sitewright.symbolic_planning.pddl_syntax import Group, PddlError, Symbol
 def typed_list(items: Iterable[Symbol | Group], file: str) -> list[Parameter]:
     """Return ``a b - t c`` as parameters; without a type it is ``object``."""
     found: list[Parameter] = []
-    waiting: list[str] = []
+    waiting: list[Symbol] = []
     words = iter(items)
     for item in words:
         if isinstance(item, Group):
             raise PddlError(file, item.line, f"'{item.head or '('}' is not supported here")
         if item.text != "-":
-            waiting.append(item.text)
+            waiting.append(item)
             continue
         type_item = next(words, None)
         if not isinstance(type_item, Symbol):
-            word = type_item.head if isinstance(type_item, Group) else "-"
-            raise PddlError(file, item.line, f"'{word}' is not supported as a type")
-        found.extend(Parameter(name, type_item.text) for name in waiting)
+            named = type_item.head if isinstance(type_item, Group) else "-"
+            raise PddlError(file, item.line, f"'{named}' is not supported as a type")
+        found.extend(Parameter(word.text, type_item.text, word.line) for word in waiting)
         waiting = []
-    return [*found, *(Parameter(name, OBJECT) for name in waiting)]
+    return [*found, *(Parameter(word.text, OBJECT, word.line) for word in waiting)]
 
 
 def check_types(

@@ -79,7 +79,9 @@ def load_domain(
         if constant.type != "skill" or constant.name not in tuple(Capability):
             known = ", ".join(Capability)
             raise PddlError(
-                file, 1, f"constant '{constant.name}' is no capability of a robot; known: {known}"
+                file,
+                constant.line,
+                f"constant '{constant.name}' is no capability of a robot; known: {known}",
             )
     for action in domain.actions:
         _check_action(domain, action, skills)
