@@ -77,8 +77,9 @@ def _handling(
     lifting = [(r, e) for r, e in holding if mass_kg + _mass_kg(e.description) <= _payload_kg(r)]
     if not lifting:
         robot, gripper = max(holding, key=lambda c: _payload_kg(c[0]) - _mass_kg(c[1].description))
+        own_kg = _mass_kg(gripper.description)
         message = (
-            f"It weighs {mass_kg:.1f} kg; with {gripper.id} ({_mass_kg(gripper.description):.1f} kg) "
+            f"It weighs {mass_kg:.1f} kg; with {gripper.id} ({own_kg:.1f} kg) "
             f"that is more than the {_payload_kg(robot):g} kg of {robot.id}."
         )
         yield refused("Q1", component, message, "Use a stronger robot or a lighter component.")
