@@ -1,0 +1,169 @@
+"""Opens a project folder: building model, cell, domain and settings, checked together."""
+
+from __future__ import annotations
+
+import shutil
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib.resources import files
+from pathlib import Path
+
+from sitewright.building_model.formats.native import read_building
+from sitewright.building_model.model import BuildingModel
+from sitewright.building_model.validation import check_model
+from sitewright.errors import (
+    BuildingModelError,
+    CellRejectedError,
+    ModelRejectedError,
+    Problem,
+    SitewrightError,
+    did_you_mean,
+)
+from sitewright.foundation.canonical import Json
+from sitewright.robot_team.cell import Cell
+from sitewright.robot_team.formats.cell_toml import read_cell
+
+BUILDING, CELL, DOMAIN, SETTINGS = "building.json", "cell.toml", "domain.pddl", "sitewright.toml"
+EXAMPLES = ("wooden_frame", "painted_frame")
+
+
+class ProjectError(BuildingModelError):
+    """The folder is no project; the message says what is missing and how to get it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Project:
+    """A user's project.
+
+    Attributes:
+        folder: Where its files and `runs/` are.
+        cell_file: The cell that is used, e.g. a mirrored one.
+        settings: Content of ``sitewright.toml``; empty without one.
+    """
+
+    folder: Path
+    cell_file: Path
+    model: BuildingModel
+    cell: Cell
+    settings: Mapping[str, Json] = field(default_factory=dict)
+
+    @property
+    def domain_file(self) -> Path | None:
+        """The user's own domain, if there is one."""
+        own = self.folder / DOMAIN
+        return own if own.exists() else None
+
+
+def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project:
+    """Read a project; every problem of a file is reported at once.
+
+    Args:
+        path: The project folder.
+        cell: Another cell file than ``cell.toml``; relative to the folder, or absolute.
+
+    Raises:
+        ProjectError: The folder or one of its files is missing.
+        ModelRejectedError: ``building.json`` has problems, or does not fit the cell.
+        CellRejectedError: ``cell.toml`` has problems.
+    """
+    folder = Path(path)
+    cell_file = folder / (cell or CELL)
+    _require(folder, cell_file)
+    project = Project(
+        folder=folder,
+        cell_file=cell_file,
+        model=read_building(folder / BUILDING),
+        cell=read_cell(cell_file),
+        settings=_settings(folder),
+    )
+    errors = [p for p in problems_of(project) if p.severity == "E"]
+    if errors:
+        raise ModelRejectedError(str(folder / BUILDING), errors)
+    return project
+
+
+def problems_of(project: Project) -> list[Problem]:
+    """Return all problems of a project whose files could be read, warnings too."""
+    from sitewright.app.checks import check_project
+
+    return [*check_model(project.model), *check_project(project.model, project.cell)]
+
+
+def check(path: Path | str, *, cell: Path | str | None = None) -> list[Problem]:
+    """Return every problem of a project's files, of the model and of how it fits the cell.
+
+    Raises:
+        ProjectError: The folder or one of its files is missing.
+    """
+    folder = Path(path)
+    cell_file = folder / (cell or CELL)
+    _require(folder, cell_file)
+    problems: list[Problem] = []
+    model: BuildingModel | None = None
+    try:
+        model = read_building(folder / BUILDING)
+    except ModelRejectedError as rejected:
+        problems += rejected.problems
+    try:
+        team = read_cell(cell_file)
+    except CellRejectedError as rejected:
+        return problems + list(rejected.problems)
+    if model is None:
+        return problems
+    project = Project(folder=folder, cell_file=cell_file, model=model, cell=team)
+    return problems + problems_of(project)
+
+
+def new_project(folder: Path | str, *, example: str = "wooden_frame") -> Path:
+    """Copy an example's building, cell and notes into a new folder.
+
+    Raises:
+        ProjectError: The folder is not empty, or there is no such example.
+    """
+    if example not in EXAMPLES:
+        hint = did_you_mean(example, EXAMPLES)
+        raise ProjectError(
+            f"There is no example {example!r}; there are {', '.join(EXAMPLES)}.{hint}"
+        )
+    goal = Path(folder)
+    if goal.exists() and any(goal.iterdir()):
+        raise ProjectError(f"{goal} is not empty; name a new folder.")
+    goal.mkdir(parents=True, exist_ok=True)
+    for file in sorted(example_folder(example).iterdir()):
+        if file.is_file():
+            shutil.copy(file, goal / file.name)
+    return goal
+
+
+def example_folder(example: str) -> Path:
+    """Return where an example lies: in the installed package, else in the source tree."""
+    packaged = Path(str(files("sitewright"))) / "examples" / example
+    return packaged if packaged.exists() else Path(__file__).parents[3] / "examples" / example
+
+
+def _require(folder: Path, cell_file: Path) -> None:
+    if not folder.is_dir():
+        raise ProjectError(f"{folder} is no folder. `sitewright new {folder}` makes a project.")
+    for file, origin in ((folder / BUILDING, "sitewright import"), (cell_file, "sitewright new")):
+        if not file.exists():
+            raise ProjectError(f"{folder} has no {file.name}. `{origin}` makes one.")
+
+
+def _settings(folder: Path) -> Mapping[str, Json]:
+    file = folder / SETTINGS
+    if not file.exists():
+        return {}
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ProjectError(f"{file}: {error}. Mend the file or remove it.") from error
+
+
+def is_usable(path: Path | str) -> bool:
+    """Tell whether a folder opens as a project."""
+    try:
+        open_project(path)
+    except SitewrightError:
+        return False
+    return True
