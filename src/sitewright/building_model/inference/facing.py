@@ -9,6 +9,7 @@ from sitewright.building_model.component import BoxGeometry, Component
 from sitewright.building_model.inference.order import Arrival
 from sitewright.building_model.inference.solid import Solid
 from sitewright.building_model.inference.statics import GROUND_M, Statics
+from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import (
     Pose,
     Vector,
@@ -30,6 +31,8 @@ CORRIDOR_M = 0.6
 """Gripper and wrist need this much room in front of the face."""
 _HALF_WIDTH_M = 0.10
 _STEP_M = 0.05
+_NEAR_M = 0.30
+"""What is this near to a component's middle does not hide it."""
 _LEANS = 0.2
 _COVERED = 2.0
 _BLOCKED = 4.0
@@ -72,14 +75,39 @@ def surroundings_of(statics: Statics) -> Surroundings:
     )
 
 
-def side_of(component: Component, arrival: Arrival, around: Surroundings) -> str:
-    """Return the long side that it comes from: where its way in leads, else the nearer one."""
+def side_of(
+    component: Component,
+    arrival: Arrival,
+    statics: Statics,
+    there: Iterable[Arrival],
+    around: Surroundings,
+) -> str:
+    """Return the long side that a component comes from.
+
+    Its way in decides; if that leads to neither side, the side from which it is in plain sight
+    (what it is joined to does not hide it); if both or none is, the nearer one.
+    """
     outwards = unit(subtract(around.shoulder_m["a"], around.shoulder_m["b"]))
     lean = dot(arrival.way.direction, outwards) if arrival.way is not None else 0.0
     if abs(lean) > _LEANS:
         return "a" if lean > 0.0 else "b"
     middle = component.world_T_component.position_m
-    return min("ab", key=lambda side: distance(middle, around.shoulder_m[side]))
+    joined = statics.joined[component.id]
+    built = [statics.solid_by_id[a.id] for a in there if a.id not in joined]
+    return min(
+        "ab",
+        key=lambda side: (
+            _is_hidden(middle, around.shoulder_m[side], built),
+            round(distance(middle, around.shoulder_m[side]), 4),
+        ),
+    )
+
+
+def _is_hidden(middle: Vector, shoulder_m: Vector, built: list[Solid]) -> bool:
+    towards = subtract(shoulder_m, middle)
+    room_m = distance(middle, shoulder_m) - _STEP_M
+    start = add(middle, scale(unit(towards), _NEAR_M))
+    return _is_blocked(start, unit(towards), built, max(0.0, room_m - _NEAR_M))
 
 
 def turn_of(
@@ -106,7 +134,7 @@ def turn_of(
 def _worth(
     component: Component,
     statics: Statics,
-    built: list[str],
+    built: list[ComponentId],
     shoulder_m: Vector,
     face: tuple[int, float],
 ) -> float:
@@ -126,7 +154,7 @@ def _worth(
     return (
         dot(normal, unit(subtract(shoulder_m, pose.position_m)))
         - _COVERED * covered
-        - (_BLOCKED if _is_blocked(start, normal, others) else 0.0)
+        - (_BLOCKED if _is_blocked(start, normal, others, CORRIDOR_M) else 0.0)
     )
 
 
@@ -143,9 +171,9 @@ def _covers(component: Component, statics: Statics) -> list[tuple[str | None, fl
     return found
 
 
-def _is_blocked(start: Vector, normal: Vector, others: list[Solid]) -> bool:
-    steps = range(1, int(CORRIDOR_M / _STEP_M) + 1)
-    points = [add(start, scale(normal, k * _STEP_M)) for k in steps]
+def _is_blocked(start: Vector, direction: Vector, others: list[Solid], length_m: float) -> bool:
+    steps = range(1, int(length_m / _STEP_M) + 1)
+    points = [add(start, scale(direction, k * _STEP_M)) for k in steps]
     return any(solid.is_near(point, _HALF_WIDTH_M) for point in points for solid in others)
 
 

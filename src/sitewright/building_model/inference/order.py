@@ -50,8 +50,8 @@ def arrivals(statics: Statics) -> list[Arrival]:
         gone = next(_candidates(statics, present, ways))
         leaving.append((gone, ways[gone]))
         present -= {gone}
-        for neighbour, _ in statics.normals[gone]:
-            ways.pop(neighbour, None)
+        for neighbour in statics.touching[gone]:
+            ways.pop(neighbour.other, None)
     return _arrivals(statics, leaving[::-1])
 
 
@@ -79,9 +79,9 @@ def _way(
     statics: Statics, component: ComponentId, present: frozenset[ComponentId]
 ) -> WayOut | None:
     neighbours = [
-        (normal, statics.solid_by_id[other])
-        for other, normal in statics.normals[component]
-        if other in present
+        (t.normal, statics.solid_by_id[t.other])
+        for t in statics.touching[component]
+        if t.other in present
     ]
     below = tuple(-x for x in statics.up)
     floor = [((below[0], below[1], below[2]), None)] if component in statics.ground else []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import combinations
+from math import atan2
 
 from sitewright.building_model.component import BoxGeometry, Component
 from sitewright.foundation.pose import Vector, add, cross, dot, norm, scale, subtract, unit
@@ -47,6 +48,10 @@ class Solid:
     def highest_m(self, direction: Vector) -> float:
         """Return the largest coordinate along a direction."""
         return max(dot(direction, c) for c in self.corners_m)
+
+    def is_near(self, point_m: Vector, within_m: float) -> bool:
+        """Whether a point lies inside, or about `within_m` off (more at corners)."""
+        return all(dot(f.plane.normal, point_m) <= f.plane.offset_m + within_m for f in self.faces)
 
 
 def solid_of(component: Component) -> Solid | None:
@@ -116,8 +121,6 @@ def _face(plane: Plane, corners: list[Vector]) -> Face | None:
 
 def around(points_m: list[Vector], normal: Vector) -> list[Vector]:
     """Return the points of a convex polygon counter-clockwise about a normal."""
-    from math import atan2
-
     middle = scale(_sum(points_m), 1.0 / len(points_m))
     u = unit(subtract(points_m[0], middle))
     v = cross(normal, u)

@@ -19,23 +19,38 @@ GROUND_M = 0.005
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Touching:
+    """A neighbour, seen from one component.
+
+    Attributes:
+        normal: Unit vector in the model frame, out of the component into the neighbour.
+    """
+
+    other: ComponentId
+    normal: Vector
+    area_m2: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Statics:
     """How the targets of a model stand, hang and touch.
 
     Attributes:
         up: Unit vector against gravity.
-        ground: Components that stand on the ground.
+        ground_m: Height of the ground.
+        ground: Components that stand on it.
         carriers: Joined components that carry a component from below.
         joined: Components that are connected with it.
-        normals: Contacts of each component: neighbour and normal out of the component.
+        touching: Face contacts of each component.
     """
 
     up: Vector
     solid_by_id: Mapping[ComponentId, Solid]
+    ground_m: float
     ground: frozenset[ComponentId]
     carriers: Mapping[ComponentId, tuple[Contact, ...]]
     joined: Mapping[ComponentId, frozenset[ComponentId]]
-    normals: Mapping[ComponentId, tuple[tuple[ComponentId, Vector], ...]]
+    touching: Mapping[ComponentId, tuple[Touching, ...]]
 
     def carriers_of(self, component: ComponentId) -> frozenset[ComponentId]:
         """Return the joined components that carry it from below."""
@@ -85,6 +100,7 @@ def statics_of(model: BuildingModel) -> Statics:
     return Statics(
         up=up,
         solid_by_id=solids,
+        ground_m=lowest_m,
         ground=frozenset(i for i, s in solids.items() if s.lowest_m(up) <= lowest_m + GROUND_M),
         carriers={
             i: tuple(
@@ -93,8 +109,12 @@ def statics_of(model: BuildingModel) -> Statics:
             for i in solids
         },
         joined=joined,
-        normals={
-            i: tuple((c.a, scale(c.normal, -1.0)) for c in _towards(i, contacts)) for i in solids
+        touching={
+            i: tuple(
+                Touching(other=c.a, normal=scale(c.normal, -1.0), area_m2=c.area_m2)
+                for c in _towards(i, contacts)
+            )
+            for i in solids
         },
     )
 
