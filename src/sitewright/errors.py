@@ -7,9 +7,11 @@ SitewrightError
         CellRejectedError       a cell file with its whole list of problems
     ApprovalError           approval missing, stale or refused
     ExecutionError          the site did not do what was commanded
+        CommandRefusedError     a driver did not accept a command; nothing moved
     JournalError            the record cannot be written or trusted
     BackendError            an outside program is missing, broke or was slow
         BackendMissingError     it is not installed
+        OutcomeUnknownError     the connection was lost while a command ran
 """
 
 from __future__ import annotations
@@ -49,6 +51,10 @@ class ExecutionError(SitewrightError):
     exit_code = 8
 
 
+class CommandRefusedError(ExecutionError):
+    """A driver did not accept a command (old epoch, unknown skill ...); nothing moved."""
+
+
 class JournalError(SitewrightError):
     """The journal cannot be written, or what it holds cannot be trusted."""
 
@@ -69,6 +75,10 @@ class BackendMissingError(BackendError):
         there = ", ".join(sorted(available)) or "none"
         hint = f" Install it with: {install}" if install else ""
         super().__init__(f"The {role} {name!r} is not installed; available: {there}.{hint}")
+
+
+class OutcomeUnknownError(BackendError):
+    """The connection to a driver was lost while a command ran; nobody knows how it ended."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,0 +1,1 @@
+"""Drivers: what moves robots, simulated or real."""

@@ -1,0 +1,1 @@
+"""The simulated cell: MuJoCo physics in a process of its own."""

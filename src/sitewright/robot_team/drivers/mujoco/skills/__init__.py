@@ -1,0 +1,1 @@
+"""Executors of the skills, one idea per file."""
