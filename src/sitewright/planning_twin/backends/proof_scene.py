@@ -1,0 +1,104 @@
+"""The proof scene: unpadded convex parts of a snapshot, who carries them, which pairs count."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from sitewright.foundation.ids import RobotId
+from sitewright.planning_twin.backends.arm_model import ArmModel, arm_model
+from sitewright.planning_twin.backends.convex_part import compiled
+from sitewright.planning_twin.backends.identity_cache import IdentityCache
+from sitewright.planning_twin.backends.kinematic_chain import Array, matrix_of
+from sitewright.planning_twin.backends.layout import Layout, attachment, laid_out
+from sitewright.planning_twin.scene import Attachment, SceneSnapshot
+from sitewright.robot_team.description import Description
+
+_ARMS_REMEMBERED = 16
+_LAYOUTS_REMEMBERED = 64
+_SCENES_REMEMBERED = 32
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ProofScene:
+    """A layout with all parts placed.
+
+    Attributes:
+        world_T_part: n x 4 x 4, robots at the postures of the snapshot.
+        clearance_m: Distance of undeclared pairs.
+    """
+
+    layout: Layout
+    world_T_base: Mapping[RobotId, Array]
+    world_T_part: Array
+    clearance_m: float
+
+    def placed(self, robot: RobotId, q: Array) -> Array:
+        """Return world_T_part for each posture (row) of one robot, m x n x 4 x 4."""
+        layout = self.layout
+        out = np.repeat(self.world_T_part[None], len(q), axis=0)
+        frames = self.world_T_base[robot] @ layout.arms[robot].chain.frames(q)
+        carried_by = frames[:, layout.joints_of[robot]]
+        out[:, layout.rows_of[robot]] = carried_by @ layout.joint_T_part_of[robot]
+        return out
+
+
+class ProofScenes:
+    """Compiles snapshots; what they have in common with earlier ones is used again."""
+
+    def __init__(self) -> None:
+        self._revision_of = IdentityCache(SceneSnapshot.revision, size=_SCENES_REMEMBERED)
+        self._scene_of = IdentityCache(self._compile, size=_SCENES_REMEMBERED)
+        self._arm_of = IdentityCache(arm_model, size=_ARMS_REMEMBERED)
+        self._layouts: OrderedDict[Hashable, Layout] = OrderedDict()
+
+    def of(self, scene: SceneSnapshot) -> ProofScene:
+        """Return the compiled scene."""
+        return self._scene_of(scene)
+
+    def revision(self, scene: SceneSnapshot) -> str:
+        """Return the scene's revision; hashing takes longer than many proofs."""
+        return self._revision_of(scene)
+
+    def arm(self, description: Description) -> ArmModel:
+        """Return the compiled arm."""
+        return self._arm_of(description)
+
+    def _compile(self, scene: SceneSnapshot) -> ProofScene:
+        layout = self._layout(scene)
+        still = [
+            matrix_of(body.placement) @ part.body_T_part
+            for body in scene.bodies.values()
+            if not isinstance(body.placement, Attachment)
+            for part in map(compiled, body.shape)
+        ]
+        world_T_part = np.zeros((len(layout.parts), 4, 4))
+        if still:
+            world_T_part[: len(still)] = np.array(still)
+        proof = ProofScene(
+            layout=layout,
+            world_T_base={r: matrix_of(s.world_T_base) for r, s in scene.robots.items()},
+            world_T_part=world_T_part,
+            clearance_m=scene.clearance_m,
+        )
+        for robot, state in scene.robots.items():
+            rows = layout.rows_of[robot]
+            posture = np.array([state.q_rad], dtype=np.float64)
+            world_T_part[rows] = proof.placed(robot, posture)[0, rows]
+        return proof
+
+    def _layout(self, scene: SceneSnapshot) -> Layout:
+        arms = {r: self._arm_of(s.description) for r, s in scene.robots.items()}
+        key = (
+            tuple((r, id(arm)) for r, arm in arms.items()),
+            tuple((b.id, b.shape, attachment(b)) for b in scene.bodies.values()),
+        )
+        if key not in self._layouts:
+            self._layouts[key] = laid_out(scene, arms)
+            if len(self._layouts) > _LAYOUTS_REMEMBERED:
+                self._layouts.popitem(last=False)
+        self._layouts.move_to_end(key)
+        return self._layouts[key]
