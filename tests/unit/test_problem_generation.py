@@ -22,10 +22,12 @@ from builders_symbolic import (
 )
 from sitewright.building_model.component import FastenerSpec, Operation, Process
 from sitewright.errors import BackendError, BuildingModelError
-from sitewright.foundation.ids import (
+from sitewright.foundation.ids import ComponentId, EndEffectorId, OperationId, RobotId, StationId
     ComponentId,
+    EndEffectorId,
     OperationId,
     RobotId,
+    StationId,
 )
 from sitewright.robot_team.cell import RobotSubtype
 from sitewright.robot_team.skill import SkillCall
@@ -289,7 +291,8 @@ def test_calls_and_actions_are_turned_into_each_other() -> None:
 
 def test_a_bare_flange_is_an_end_effector_that_a_tool_can_be_put_on() -> None:
     view = with_robot(site(), NAILER, mounted=None, place="tools")
-    docked = dict.fromkeys(("nail-gun-1", "screwdriver-1"), "tools")
+    names = ("nail-gun-1", "screwdriver-1")
+    docked = {EndEffectorId(e): StationId("tools") for e in names}
     problem = problem_for(DOMAIN, replace(view, docked=docked))
     calls = {problem.call(a) for a in applicable(problem, problem.init)}
     wanted = SkillCall("change-end-effector", NAILER, ("bare-nailer-1", "nail-gun-1", "tools"))

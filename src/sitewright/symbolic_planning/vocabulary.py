@@ -9,7 +9,7 @@ from pathlib import Path
 from sitewright.robot_team.cell import Capability
 from sitewright.robot_team.skill import Skill
 from sitewright.symbolic_planning.costs import FUNCTIONS
-from sitewright.symbolic_planning.domain import ROBOT, Action, Domain, Schema
+from sitewright.symbolic_planning.domain import ROBOT, Action, Domain, Parameter, Schema
 from sitewright.symbolic_planning.domain_reader import read_domain
 from sitewright.symbolic_planning.evaluators import EVALUATORS, Evaluator
 from sitewright.symbolic_planning.pddl_syntax import PddlError
@@ -76,13 +76,7 @@ def load_domain(
     for schema in domain.function_by_name.values():
         _check_function(domain, schema)
     for constant in domain.constants:
-        if constant.type != "skill" or constant.name not in tuple(Capability):
-            known = ", ".join(Capability)
-            raise PddlError(
-                file,
-                constant.line,
-                f"constant '{constant.name}' is no capability of a robot; known: {known}",
-            )
+        _check_constant(domain, constant)
     for action in domain.actions:
         _check_action(domain, action, skills)
     if not domain.actions:
@@ -108,6 +102,13 @@ def _check_function(domain: Domain, schema: Schema) -> None:
             domain.file, schema.line, f"function '{schema.name}' has no values; known: {listed}"
         )
     _check_types(domain, schema.name, schema.types, FUNCTIONS[schema.name].types, schema.line)
+
+
+def _check_constant(domain: Domain, constant: Parameter) -> None:
+    if constant.type != "skill" or constant.name not in tuple(Capability):
+        message = f"constant '{constant.name}' is no capability of a robot"
+        known = ", ".join(Capability)
+        raise PddlError(domain.file, constant.line, f"{message}; known: {known}")
 
 
 def _check_action(domain: Domain, action: Action, skills: Mapping[str, tuple[str, ...]]) -> None:
