@@ -22,7 +22,7 @@ from builders_symbolic import (
 )
 from sitewright.building_model.component import FastenerSpec, Operation, Process
 from sitewright.errors import BackendError, BuildingModelError
-from sitewright.foundation.ids import ComponentId, EndEffectorId, OperationId, RobotId, StationId
+from sitewright.foundation.ids import (
     ComponentId,
     EndEffectorId,
     OperationId,
