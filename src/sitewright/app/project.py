@@ -85,7 +85,7 @@ def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project
 
 def problems_of(project: Project) -> list[Problem]:
     """Return all problems of a project whose files could be read, warnings too."""
-    from sitewright.app.checks import check_project
+    from sitewright.construction_graph.project_check import check_project
 
     return [*check_model(project.model), *check_project(project.model, project.cell)]
 

@@ -26,7 +26,8 @@ from sitewright.planning_twin.refusal import (
     Refusal,
 )
 from sitewright.planning_twin.scene import Pair, SceneSnapshot
-from sitewright.planning_twin.skill_motions.stage import Stage, resting_contacts
+from sitewright.planning_twin.skill_motions.stage import Stage, resting_contacts, with_joints
+from sitewright.planning_twin.skill_motions.way_out import stands_in_contact, way_out
 from sitewright.robot_team.cell import Robot
 from sitewright.robot_team.description import Joints
 
@@ -78,18 +79,24 @@ def move_to(
 ) -> PlannedMotion | Refusal:
     """Plan from where a robot stands to a posture, then along `tail`.
 
+    A robot that was stopped in contact first goes straight out of it.
+
     Args:
         stage: The site now.
         robot: Who moves; what it holds moves along.
         goal_rad: End of the free motion, start of the tail.
         tail: Straight approach that follows.
     """
-    scene = scene_of(stage.site)
     resting = resting_contacts(stage, robot)
+    out = way_out(stage, robot) if stands_in_contact(stage, robot) else ()
+    if isinstance(out, NoIk):
+        return out
+    start_rad = out[-1].waypoints_rad[-1] if out else stage.q_rad(robot)
+    scene = scene_of(with_joints(stage.site, robot, start_rad))
     free = _free_segments(stage, scene, robot, goal_rad, resting)
     if not isinstance(free, tuple):
         return free
-    segments = free + tuple(_with_resting(s, resting) for s in tail)
+    segments = out + free + tuple(_with_resting(s, resting) for s in tail)
     return finished_motion(stage, robot, scene, segments or (_standing(goal_rad, resting),))
 
 

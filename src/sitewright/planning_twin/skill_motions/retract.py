@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from sitewright.foundation.ids import BodyId, RobotId, StationId
-from sitewright.foundation.pose import scale
-from sitewright.planning_twin.approach import CONTACT_M, Approach, Touch, straight_approach
-from sitewright.planning_twin.jobsite import bodies_of_tool, scene_of
+from sitewright.foundation.ids import RobotId, StationId
+from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import PathSegment, PlannedMotion
 from sitewright.planning_twin.refusal import NoIk, Refusal
 from sitewright.planning_twin.skill_motions.moving import finished_motion, move_to
@@ -13,13 +11,10 @@ from sitewright.planning_twin.skill_motions.stage import (
     PlannedSkill,
     SkillRefusal,
     Stage,
-    resting_contacts,
     with_joints,
 )
-from sitewright.planning_twin.task import UP, declared
-from sitewright.planning_twin.touches import lift_thresholds
+from sitewright.planning_twin.skill_motions.way_out import way_out
 from sitewright.robot_team.cell import StationKind
-from sitewright.robot_team.gripper import mount_T_tcp
 from sitewright.robot_team.skill import Skill, SkillCall
 from sitewright.symbolic_planning.site_index import preparation_place
 
@@ -53,46 +48,7 @@ def _way_out(stage: Stage, call: SkillCall) -> tuple[PathSegment, ...] | NoIk:
     is_tool_station = station is not None and station.kind is StationKind.TOOL
     if is_tool_station or place == preparation_place(stage.context.cell, call.robot):
         return ()
-    way = straight_approach(
-        stage.reaching(call.robot), _touch_now(stage, call.robot), stage.q_rad(call.robot)
-    )
-    return way.outwards() if isinstance(way, Approach) else way
-
-
-def _touch_now(stage: Stage, robot: RobotId) -> Touch:
-    """Return the contact that a robot is in: a lift with a piece, else back along the tool."""
-    task, tool, arm = stage.context.task, stage.tool(robot), stage.site.arms[robot]
-    world_T_tip = stage.tip(robot)
-    resting = resting_contacts(stage, robot)
-    if arm.held is not None:
-        near, direction = lift_thresholds(task, tool, arm.held), UP
-    else:
-        world_T_tcp = world_T_tip @ mount_T_tcp(tool.description)
-        direction = scale(world_T_tcp.z_axis, -1.0)
-        near = _touched_by_tool(stage, robot)
-    return Touch(
-        world_T_tip=world_T_tip,
-        back_off=direction,
-        near_m={**resting, **near},
-        free_m=resting,
-    )
-
-
-def _touched_by_tool(stage: Stage, robot: RobotId) -> dict[tuple[str, str], float]:
-    """Return the pieces that an end effector stands at, and may brush while it leaves."""
-    tool = stage.tool(robot)
-    pairs = stage.context.backends.collision.violations(
-        scene_of(stage.site), robot, stage.q_rad(robot), {}
-    )
-    own = set(bodies_of_tool(tool))
-    pieces = {BodyId(p) for p in stage.site.world_T_piece}
-    near = {
-        other
-        for a, b in pairs
-        for mine, other in ((a, b), (b, a))
-        if mine in own and other in pieces
-    }
-    return declared(CONTACT_M, tuple(sorted(own)), tuple(BodyId(n) for n in sorted(near)))
+    return way_out(stage, call.robot)
 
 
 def _out_only(

@@ -1,0 +1,163 @@
+"""The composition root of a run: project, engines, simulated cell, journal, approver."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+
+from sitewright.app.clock import SystemClock
+from sitewright.app.engines import identity_of, proposals_of
+from sitewright.app.ids import UuidSource
+from sitewright.app.planning import start_of
+from sitewright.app.project import Project, ProjectError
+from sitewright.app.run import RunOptions, RunResult, resolve, run_project
+from sitewright.app.run_folder import installation_key
+from sitewright.app.runner import RunPorts
+from sitewright.building_model.as_built import InstallRecord, fold
+from sitewright.building_model.component import Layer
+from sitewright.building_model.formats.native import write_building
+from sitewright.building_model.model import BuildingModel
+from sitewright.central_controller.events import AnyEvent
+from sitewright.central_controller.ports import Answer, Approver, Question
+from sitewright.central_controller.proposing import Proposals
+from sitewright.central_controller.site_state import SiteState, site_of
+from sitewright.foundation.canonical import Json
+from sitewright.robot_team.driver import CellDriver
+from sitewright.robot_team.piece import Piece
+
+OnEvent = Callable[[AnyEvent], None]
+AS_BUILT = "as_built.json"
+
+
+def run_command(
+    project: Project,
+    approver: Approver,
+    *,
+    on_event: OnEvent | None = None,
+    from_design: bool = False,
+) -> RunResult:
+    """Run a project in simulation until it stops: complete, held, refused or in question.
+
+    Args:
+        project: An opened project.
+        approver: Who is asked before anything moves.
+        on_event: Called with each recorded event, for progress.
+        from_design: Start on an empty site instead of going on.
+
+    Raises:
+        LockedError: Another run has this project or this cell.
+        BackendError: An engine or the cell broke.
+    """
+    proposals = proposals_of(project)
+    clock = SystemClock()
+    ports = RunPorts(
+        planner=proposals,
+        check=proposals,
+        approver=approver,
+        connect=partial(simulated_cell, project, proposals),
+        clock=clock,
+        ids=UuidSource(clock),
+        key=installation_key(_state_home()),
+        write_as_built=partial(write_as_built, project.model),
+        final_figures=cell_figures,
+        pause=time.sleep,
+        on_event=on_event or (lambda _event: None),
+    )
+    options = RunOptions(
+        project=project.model.name or project.folder.name,
+        runs=project.folder / "runs",
+        design=site_of(project.model),
+        hashes=identity_of(project, proposals.ports.domain.text),
+        cell_lock=project.folder / "runs" / "cell.lock",
+        from_design=from_design,
+    )
+    return run_project(ports, options)
+
+
+def resolve_command(
+    project: Project, run: str, step: int, answer: str, *, who: str = "local"
+) -> Question:
+    """Record a person's answer to the open question of a run.
+
+    Raises:
+        ExecutionError: There is no such run or question.
+    """
+    clock = SystemClock()
+    return resolve(
+        project.folder / "runs",
+        site_of(project.model),
+        run,
+        step,
+        Answer(answer),
+        who=who,
+        clock=clock,
+        ids=UuidSource(clock),
+    )
+
+
+def simulated_cell(project: Project, proposals: Proposals, home: Path) -> CellDriver:
+    """Return the driver of the simulated cell that stands in a run's folder."""
+    from sitewright.robot_team.drivers.mujoco.client import connect
+
+    factor = project.cell.simulation.get("real_time_factor", 0.0)
+    return connect(
+        home / "cell", project.cell, pieces_of(project, proposals), real_time_factor=factor
+    )
+
+
+def pieces_of(project: Project, proposals: Proposals) -> tuple[Piece, ...]:
+    """Return all pieces of stock where the design puts them."""
+    poses = start_of(project).observation.world_T_piece
+    return tuple(
+        Piece(id=i, shape=shape.shape, world_T_piece=poses[i], mass_kg=shape.mass_kg)
+        for i, shape in sorted(proposals.shapes.items())
+        if i in poses
+    )
+
+
+def cell_figures(driver: CellDriver) -> Mapping[str, Json]:
+    """Return what the simulated cell tells beyond the port: contacts, physical log, time."""
+    extra = getattr(driver, "extra", None)
+    return {} if extra is None else dict(extra())
+
+
+def write_as_built(model: BuildingModel, folder: Path, site: SiteState) -> None:
+    """Write the as-built model of a run: the design with all installed targets folded in."""
+    records = [
+        InstallRecord(
+            target=target,
+            material=placed.piece,
+            world_T_measured=placed.world_T_measured,
+            robot=placed.robot,
+            operations={
+                o: "done" if o in site.done_operations else "open"
+                for o in site.operations.get(target, ())
+            },
+        )
+        for target in site.installed
+        if (placed := site.placed.get(target)) is not None
+    ]
+    write_building(fold(model, records), folder / AS_BUILT)
+
+
+def has_targets(model: BuildingModel) -> bool:
+    """Tell whether there is anything to build."""
+    return any(c.layer is Layer.TARGET for c in model.component_by_id.values())
+
+
+def require_targets(project: Project) -> None:
+    """Refuse a project in which nothing is to be built."""
+    if not has_targets(project.model):
+        raise ProjectError(
+            f"{project.folder} has no component on the layer target; nothing can be built."
+        )
+
+
+def _state_home() -> Path:
+    """Return the folder of this installation's own state (XDG base directories)."""
+    import os
+
+    base = os.environ.get("XDG_STATE_HOME") or str(Path.home() / ".local" / "state")
+    return Path(base) / "sitewright"

@@ -1,0 +1,63 @@
+"""The straight way out of whatever contact a robot is in now."""
+
+from __future__ import annotations
+
+from sitewright.foundation.ids import BodyId, RobotId
+from sitewright.foundation.pose import scale
+from sitewright.planning_twin.approach import CONTACT_M, Approach, Touch, straight_approach
+from sitewright.planning_twin.jobsite import bodies_of_tool, scene_of
+from sitewright.planning_twin.motion import PathSegment
+from sitewright.planning_twin.refusal import NoIk
+from sitewright.planning_twin.scene import Pair
+from sitewright.planning_twin.skill_motions.stage import Stage, resting_contacts
+from sitewright.planning_twin.task import UP, declared
+from sitewright.planning_twin.touches import lift_thresholds
+from sitewright.robot_team.gripper import mount_T_tcp
+
+
+def way_out(stage: Stage, robot: RobotId) -> tuple[PathSegment, ...] | NoIk:
+    """Return straight lines out of contact: up with a piece in hand, else back along the tool."""
+    touch = _touch_now(stage, robot)
+    way = straight_approach(stage.reaching(robot), touch, stage.q_rad(robot))
+    return way.outwards() if isinstance(way, Approach) else way
+
+
+def stands_in_contact(stage: Stage, robot: RobotId) -> bool:
+    """Tell whether a robot is too near to something that it may touch to start a free motion."""
+    resting = resting_contacts(stage, robot)
+    pairs = stage.reaching(robot).violations(stage.q_rad(robot), resting, is_padded=True)
+    return bool(pairs)
+
+
+def _touch_now(stage: Stage, robot: RobotId) -> Touch:
+    task, tool, arm = stage.context.task, stage.tool(robot), stage.site.arms[robot]
+    world_T_tip = stage.tip(robot)
+    resting = resting_contacts(stage, robot)
+    if arm.held is not None:
+        near, direction = lift_thresholds(task, tool, arm.held), UP
+    else:
+        world_T_tcp = world_T_tip @ mount_T_tcp(tool.description)
+        direction = scale(world_T_tcp.z_axis, -1.0)
+        near = _touched_by_tool(stage, robot)
+    return Touch(
+        world_T_tip=world_T_tip,
+        back_off=direction,
+        near_m={**resting, **near},
+        free_m=resting,
+    )
+
+
+def _touched_by_tool(stage: Stage, robot: RobotId) -> dict[Pair, float]:
+    """Return the pieces that an end effector stands at, and may brush while it leaves."""
+    own = bodies_of_tool(stage.tool(robot))
+    pairs = stage.context.backends.collision.violations(
+        scene_of(stage.site), robot, stage.q_rad(robot), {}
+    )
+    pieces = {BodyId(p) for p in stage.site.world_T_piece}
+    near = {
+        BodyId(other)
+        for a, b in pairs
+        for mine, other in ((a, b), (b, a))
+        if mine in own and other in pieces
+    }
+    return declared(CONTACT_M, own, tuple(sorted(near)))
