@@ -4,8 +4,9 @@
     python tools/fit_envelopes.py FOLDER_OF_MEASURED_STL OUT_FOLDER
 
 The measured shapes themselves never enter the project. Each link is first enclosed by planes
-perpendicular to directions of our own choice, their distances rounded outwards to 0.1 mm. From the
-corners of that body as few are kept as leave every measured point inside or within the tolerance.
+perpendicular to directions of our own choice, their distances rounded outwards to whole millimetres
+after half a millimetre more, so that no corner falls on a measured point. From the corners of that
+body as few are kept as leave every measured point inside or within the tolerance.
 """
 
 from __future__ import annotations
@@ -18,10 +19,12 @@ import numpy as np
 from sitewright.robot_team.formats.hulls import Facets, hull_facets
 from sitewright.robot_team.formats.mesh_points import Points, read_points
 
-DIRECTIONS = 240
-TOLERANCE_M = {"link_1": 0.0038, "link_4": 0.0025, "link_5": 0.003, "link_6": 0.0015}
+DIRECTIONS = 1200
+TOLERANCE_M = {"link_1": 0.0045, "link_4": 0.0025, "link_5": 0.003, "link_6": 0.0015}
 OTHER_TOLERANCE_M = 0.0035
-GRID_M = 1e-4
+CORNER_GRID_M = 1e-4
+PLANE_GRID_M = 1e-3
+MARGIN_M = 5e-4
 
 
 def directions(count: int) -> Points:
@@ -40,7 +43,8 @@ def enclosing_corners(points: Points, around: Points) -> Points:
     A corner is the polar dual of a facet of the hull of the planes' poles.
     """
     centre = np.round(points.mean(axis=0), 3)
-    reach = np.ceil((points @ around.T).max(axis=0) / GRID_M) * GRID_M - around @ centre
+    support_m = (points @ around.T).max(axis=0) + MARGIN_M
+    reach = np.ceil(support_m / PLANE_GRID_M) * PLANE_GRID_M - around @ centre
     poles = hull_facets(around / reach[:, None])
     return np.asarray(poles.normals / poles.offsets_m[:, None] + centre)
 
@@ -59,7 +63,7 @@ def fewest_corners(points: Points, corners: Points, tolerance_m: float) -> Point
         rest = [i for i in chosen if i != index]
         if hull_facets(corners[rest]).excess_m(points).max() <= tolerance_m:
             chosen = rest
-    return np.round(corners[chosen] / GRID_M) * GRID_M
+    return np.round(corners[chosen] / CORNER_GRID_M) * CORNER_GRID_M
 
 
 def write_obj(path: Path, facets: Facets) -> None:

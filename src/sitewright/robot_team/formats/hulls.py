@@ -12,7 +12,9 @@ from sitewright.robot_team.formats.mesh_points import Points
 MAX_VERTICES = 100
 """Hulls with more are replaced by a slightly larger one."""
 _GROWTH_M = 0.004
-"""How far the smaller set of vertices may miss the hull before it is pushed outwards."""
+_GROWTH_SHARE = 0.01
+"""How far the fewer vertices may miss the hull before they are pushed outwards: 4 mm, or this share
+of the body's diagonal if that is more."""
 _EXACT_M = 1e-9
 _FLAT_M = 1e-4
 _PUSH_STEP = 1.15
@@ -63,9 +65,10 @@ def few_vertices(points: Points, *, limit: int = MAX_VERTICES) -> Points:
     """Return the vertices of a convex body that holds all points, not many more than `limit`.
 
     With up to `limit` vertices the hull is exact. Otherwise the vertices that matter most are
-    taken until the hull is missed by less than 4 mm, and then pushed outwards until all points
-    are inside.
+    taken until the hull is missed by little (4 mm, or 1 % of a body over 0.4 m), and then pushed
+    outwards until all points are inside.
     """
+    growth_m = max(_GROWTH_M, _GROWTH_SHARE * float(np.linalg.norm(np.ptp(points, axis=0))))
     chosen = _extremes(points)
     while True:
         facets = hull_facets(points[chosen])
@@ -74,7 +77,7 @@ def few_vertices(points: Points, *, limit: int = MAX_VERTICES) -> Points:
         miss = float(excess[worst, facet])
         if miss <= _EXACT_M or int(worst) in chosen:
             return facets.corners
-        if len(chosen) >= limit and miss <= _GROWTH_M:
+        if len(chosen) >= limit and miss <= growth_m:
             return _pushed_out(facets, points, miss)
         chosen.append(int(worst))
 
