@@ -1,0 +1,1 @@
+"""[4] Interaction twin: what is asked, shown and reported, in plain words."""

@@ -1,0 +1,108 @@
+"""Names that people see for the ids of the site."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from sitewright.building_model.component import Component, Operation, Process
+from sitewright.building_model.model import BuildingModel
+from sitewright.robot_team.cell import Cell
+
+BARE_FLANGE = "bare-"
+"""Prefix of the end effector that stands for an empty flange."""
+
+
+class Kind(StrEnum):
+    """What an id stands for."""
+
+    COMPONENT = "component"
+    PIECE = "piece"
+    OPERATION = "operation"
+    STOCK_PLACE = "stock-place"
+    STATION = "station"
+    PREPARATION = "preparation"
+    END_EFFECTOR = "end-effector"
+    BARE_FLANGE = "bare-flange"
+    ROBOT = "robot"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A name with what it names.
+
+    Attributes:
+        of: Id of the component that an operation belongs to; empty for all others.
+        process: Process of an operation.
+    """
+
+    kind: Kind
+    name: str
+    of: str = ""
+    process: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Labels:
+    """Labels by id; an unknown id is its own name, so nothing is ever hidden."""
+
+    label_by_id: Mapping[str, Label] = field(default_factory=dict)
+
+    def label(self, site_id: str) -> Label:
+        """Return the label of an id."""
+        found = self.label_by_id.get(site_id)
+        if found is not None:
+            return found
+        if site_id.startswith(BARE_FLANGE):
+            return Label(Kind.BARE_FLANGE, site_id)
+        return Label(Kind.UNKNOWN, site_id)
+
+    def name(self, site_id: str) -> str:
+        """Return the name that people see."""
+        return self.label(site_id).name
+
+
+def labels_of(model: BuildingModel, cell: Cell) -> Labels:
+    """Return the labels of everything that a plan can mention."""
+    found: dict[str, Label] = {}
+    for robot in cell.robot_by_id:
+        found[robot] = Label(Kind.ROBOT, robot)
+    for end_effector in cell.end_effector_by_id:
+        found[end_effector] = Label(Kind.END_EFFECTOR, end_effector)
+    for station in cell.station_by_id.values():
+        is_preparation = station.kind.value == "preparation"
+        kind = Kind.PREPARATION if is_preparation else Kind.STATION
+        found[station.id] = Label(kind, station.id)
+    for place in cell.stock_place_by_id:
+        found[place] = Label(Kind.STOCK_PLACE, place)
+    stocked = {item for stack in model.stacks for item in stack.items}
+    for component in model.component_by_id.values():
+        kind = Kind.PIECE if component.id in stocked else Kind.COMPONENT
+        found[component.id] = Label(kind, component.name or component.id)
+        found |= _operation_labels(component)
+    return Labels(found)
+
+
+def _operation_labels(component: Component) -> dict[str, Label]:
+    """Number the operations of a component by process: nail 1, nail 2, area 1."""
+    numbers: dict[Process, int] = {}
+    found: dict[str, Label] = {}
+    for operation in component.operations:
+        numbers[operation.process] = numbers.get(operation.process, 0) + 1
+        found[operation.id] = _operation_label(component, operation, numbers[operation.process])
+    return found
+
+
+def _operation_label(component: Component, operation: Operation, number: int) -> Label:
+    noun = _NOUN.get(operation.process, operation.process.value)
+    return Label(Kind.OPERATION, f"{noun} {number}", of=component.id, process=operation.process)
+
+
+_NOUN: Mapping[Process, str] = {
+    Process.NAIL: "nail",
+    Process.SCREW: "screw",
+    Process.PAINT: "painted face",
+    Process.DRILL: "hole",
+}

@@ -1,0 +1,1 @@
+"""After a run: its figures, its pictures and the report page."""

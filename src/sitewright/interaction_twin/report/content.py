@@ -1,0 +1,140 @@
+"""What a report tells of a run: values, filled from the journal's events by `summary.py`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from sitewright.central_controller.events import AnyEvent
+from sitewright.central_controller.ports import RefusalNote
+from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.robot_team.skill import SkillCall
+
+
+@dataclass(frozen=True, slots=True)
+class Stamped:
+    """An event with the wall clock of its record."""
+
+    at_utc_ns: int
+    event: AnyEvent
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bar:
+    """One skill on the time axis of its robot.
+
+    Attributes:
+        starts_s: On the cell's clock, counted from the first skill of the run.
+        is_done: False if the skill failed or its outcome was never known.
+    """
+
+    robot: RobotId
+    call: SkillCall
+    target: ComponentId
+    starts_s: float
+    duration_s: float
+    is_done: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Decision:
+    """What a person or policy said.
+
+    Attributes:
+        what: ``approved``, ``rejected``, ``other action``, ``answered`` or ``void``.
+        code: Check code of the proposal that it is about.
+        detail: Scope, reason or choice in words.
+    """
+
+    at_utc_ns: int
+    what: str
+    who: str
+    code: str = ""
+    detail: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BuiltComponent:
+    """One row of the as-built table.
+
+    Attributes:
+        status: ``installed``, ``in place``, ``needs rework``, ``refused`` or ``open``.
+        position_error_m: Distance of the sensed from the wanted origin, at the end.
+        angle_error_rad: Angle between sensed and wanted orientation, at the end.
+    """
+
+    target: ComponentId
+    status: str
+    piece: ComponentId | None = None
+    robot: RobotId | None = None
+    operations_done: int = 0
+    operations_total: int = 0
+    position_error_m: float | None = None
+    angle_error_rad: float | None = None
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Figures:
+    """The numbers by which anyone can check a run.
+
+    Attributes:
+        trajectories_total: Motions of all skills that were started.
+        trajectories_certified: Of these, certified again on the scene as sensed at their start.
+        trajectories_confirmed: Of these, confirmed by the independent engine.
+        unallowed_contacts: Distinct (pair, skill) that the cell's contact log holds; None while
+            the cell has not told.
+        closest_distance_m: Smallest certified distance over pairs that are no declared contacts.
+        makespan_s: From the start of the first to the end of the last skill, cell's clock.
+        planning_s: Times of ``symbolic``, ``motion``, ``certificate`` and ``total``.
+    """
+
+    targets_total: int
+    targets_installed: int
+    fasteners_total: int
+    fasteners_driven: int
+    finishes_total: int
+    finishes_applied: int
+    skills_executed: int
+    skills_failed: int
+    trajectories_total: int
+    trajectories_certified: int
+    trajectories_confirmed: int
+    unallowed_contacts: int | None
+    closest_distance_m: float | None
+    worst_pose_error_m: float | None
+    worst_pose_error_rad: float | None
+    replans: int
+    questions_asked: int
+    makespan_s: float
+    planning_s: Mapping[str, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunSummary:
+    """Everything that the report shows of a run.
+
+    Attributes:
+        continues: The run before, whose site this one started on; empty if there is none.
+        resumed: How often the run was taken up again after a stop.
+        planned: What the approved proposals foresaw, on the same axis as `actual`.
+        ended: How the run stands: ``complete``, ``finished``, ``held`` or ``open``.
+    """
+
+    run: str
+    project: str
+    started_utc_ns: int
+    ended_utc_ns: int
+    ended: str
+    ending_note: str
+    figures: Figures
+    continues: str = ""
+    resumed: int = 0
+    planned: tuple[Bar, ...] = ()
+    actual: tuple[Bar, ...] = ()
+    decisions: tuple[Decision, ...] = ()
+    refusals: tuple[RefusalNote, ...] = ()
+    deviations: tuple[str, ...] = ()
+    built: tuple[BuiltComponent, ...] = ()
+    contacts: tuple[tuple[str, str, str], ...] = ()
+    hashes: Mapping[str, str] = field(default_factory=dict)
