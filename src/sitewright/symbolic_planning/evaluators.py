@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from enum import Enum
 
 from sitewright.building_model.component import Layer
-from sitewright.construction_graph.graph import JOBSITE
+from sitewright.construction_graph.graph import TargetNode
+from sitewright.construction_graph.queries import is_ready
 from sitewright.foundation.ids import ComponentId, EndEffectorId, OperationId, RobotId
 from sitewright.robot_team.cell import EndEffector, FastenerRange
 from sitewright.symbolic_planning.site_index import SiteIndex, bare_flange
@@ -80,12 +81,10 @@ def _matches(args: tuple[str, ...], site: SiteIndex) -> Truth:
 
 
 def _ready(args: tuple[str, ...], site: SiteIndex) -> Truth:
-    nodes = site.view.graph.node_by_id
-    target = nodes.get(ComponentId(args[0]))
-    if target is None:
-        return Truth.FALSE
-    parents = [p for p in target.construction_parents if p != JOBSITE]
-    return _truth(all(p in nodes and nodes[p].layer is Layer.AS_BUILT for p in parents))
+    node = site.view.graph.node_by_id.get(ComponentId(args[0]))
+    if isinstance(node, TargetNode):
+        return _truth(is_ready(site.view.graph, node))
+    return _truth(node is not None and node.layer is Layer.AS_BUILT)
 
 
 def _spot_of(args: tuple[str, ...], site: SiteIndex) -> Truth:
