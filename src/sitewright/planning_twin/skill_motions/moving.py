@@ -8,7 +8,7 @@ from dataclasses import replace
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.approach import Approach, Reaching, Touch, approaches
-from sitewright.planning_twin.free_motion import plan_free_motion
+from sitewright.planning_twin.free_motion import FreeMotion, plan_free_motion
 from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import (
     Certificate,
@@ -54,9 +54,10 @@ def finished_motion(
     *,
     speed: float = 1.0,
 ) -> PlannedMotion | NotClear | Disagreement:
-    """Certify, time and cross-check a path."""
+    """Certify, time and cross-check a path, while the other robots rest in their contacts."""
     backends = stage.context.backends
-    path = JointPath(robot=robot, segments=segments)
+    resting = resting_contacts(stage, robot)
+    path = JointPath(robot=robot, segments=tuple(_with_resting(s, resting) for s in segments))
     certificate = backends.certifier.certify(scene, path)
     if isinstance(certificate, NotClear):
         return certificate
@@ -96,12 +97,8 @@ def move_to(
     free = _free_segments(stage, scene, robot, goal_rad, resting)
     if not isinstance(free, tuple):
         return free
-    segments = out + free + tuple(_with_resting(s, resting) for s in tail)
-    return finished_motion(stage, robot, scene, segments or (_standing(goal_rad, resting),))
-
-
-def _standing(q_rad: Joints, resting: Mapping[Pair, float]) -> PathSegment:
-    return PathSegment(waypoints_rad=(q_rad, q_rad), threshold_m=resting)
+    standing = PathSegment(waypoints_rad=(goal_rad, goal_rad))
+    return finished_motion(stage, robot, scene, (*out, *free, *tail) or (standing,))
 
 
 def _free_segments(
@@ -117,7 +114,7 @@ def _free_segments(
     found = plan_free_motion(
         stage.context.backends, scene, robot, goal_rad, resting, seed=stage.context.seed
     )
-    return found if not hasattr(found, "segment") else (found.segment,)
+    return (found.segment,) if isinstance(found, FreeMotion) else found
 
 
 def _with_resting(segment: PathSegment, resting: Mapping[Pair, float]) -> PathSegment:

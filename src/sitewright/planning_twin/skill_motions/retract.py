@@ -20,12 +20,15 @@ from sitewright.symbolic_planning.site_index import preparation_place
 
 
 def plan_retract(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
-    """Plan the way out of a place; a robot that has nothing to do next goes and parks."""
+    """Plan the way out of a place; a robot that has nothing to do next goes and parks.
+
+    With a piece in hand it waits where it is lifted: parking postures are chosen for empty hands.
+    """
     out = _way_out(stage, call)
     if not isinstance(out, tuple):
         return SkillRefusal(call=call, refusal=out)
-    is_followed = _is_followed_by_reach(stage, call)
-    motion = _out_only(stage, call, out) if is_followed else _out_and_park(stage, call, out)
+    waits_here = _is_followed_by_reach(stage, call) or stage.site.arms[call.robot].held is not None
+    motion = _out_only(stage, call, out) if waits_here else _out_and_park(stage, call, out)
     if motion is None:
         return PlannedSkill(motions=(), params={}, site_after=stage.site)
     if not isinstance(motion, PlannedMotion):
