@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, RobotId, StationId
 from sitewright.foundation.pose import Pose, Vector, translation
@@ -11,7 +12,7 @@ from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.scene import Attachment, Body, RobotInScene, SceneSnapshot
 from sitewright.robot_team.cell import Cell, EndEffector, EndEffectorKind, Robot
-from sitewright.robot_team.description import Joints
+from sitewright.robot_team.description import Description, Joints
 from sitewright.robot_team.gripper import finger_parts, palm_shape
 
 _SAME_DIAMETER_M = 0.00005
@@ -103,9 +104,14 @@ def end_effector_bodies(
         within = min(max(aperture_m, 0.0), tool.opens_to_m)
         bodies += [
             Body(id=finger_body(tool.id, name), shape=shape, placement=placement)
-            for name, shape in finger_parts(tool.description, within).items()
+            for name, shape in _fingers(tool.description, within)
         ]
     return bodies
+
+
+@lru_cache(maxsize=256)
+def _fingers(description: Description, aperture_m: float) -> tuple[tuple[str, Shape], ...]:
+    return tuple(finger_parts(description, aperture_m).items())
 
 
 def finger_body(tool: EndEffectorId, finger: str) -> BodyId:

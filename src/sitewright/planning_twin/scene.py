@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
-from sitewright.foundation.canonical import canonical_json, sha256_hex
+from sitewright.foundation.canonical import Json, canonical_json, sha256_hex
 from sitewright.foundation.ids import BodyId, RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.foundation.shapes import Shape
@@ -93,10 +94,34 @@ class SceneSnapshot:
         return sha256_hex(canonical_json(_plain(self)))
 
 
-def _plain(scene: SceneSnapshot) -> dict[str, object]:
-    robots = {
-        robot: [state.description.name, asdict(state.world_T_base), list(state.q_rad)]
-        for robot, state in scene.robots.items()
+def _plain(scene: SceneSnapshot) -> dict[str, Json]:
+    robots: dict[str, Json] = {
+        robot: [_description_hash(arm.description), _numbers(arm.world_T_base), list(arm.q_rad)]
+        for robot, arm in scene.robots.items()
     }
-    bodies = {i: [type(b.placement).__name__, asdict(b)] for i, b in scene.bodies.items()}
+    bodies: dict[str, Json] = {
+        i: [_shape_hash(b.shape), _placement(b.placement)] for i, b in scene.bodies.items()
+    }
     return {"robots": robots, "bodies": bodies, "clearance_m": scene.clearance_m}
+
+
+def _placement(placement: Pose | Attachment) -> Json:
+    match placement:
+        case Attachment(robot=robot, tip_T_body=pose):
+            return [robot, *_numbers(pose)]
+        case _:
+            return _numbers(placement)
+
+
+def _numbers(pose: Pose) -> list[float]:
+    return [*pose.position_m, *pose.quaternion_wxyz]
+
+
+@lru_cache(maxsize=1024)
+def _shape_hash(shape: Shape) -> str:
+    return sha256_hex(repr(shape))
+
+
+@lru_cache(maxsize=64)
+def _description_hash(description: Description) -> str:
+    return sha256_hex(repr((description.links, description.joints)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from sitewright.foundation.pose import Pose
 from sitewright.foundation.shapes import Shape, moved
 from sitewright.robot_team.description import Description, Joint, JointKind
@@ -25,6 +27,7 @@ def finger_parts(description: Description, aperture_m: float) -> dict[str, Shape
     }
 
 
+@lru_cache(maxsize=64)
 def palm_shape(description: Description) -> Shape:
     """Return the shape of what does not move with a finger, in the mount frame."""
     return _shape_of(description, description.root, _opened(description, 0.0))
@@ -36,7 +39,8 @@ def shape_at(description: Description, aperture_m: float) -> Shape:
     return sum(fingers.values(), start=palm_shape(description))
 
 
-def mount_T_tcp(description: Description) -> Pose:  # noqa: N802
+@lru_cache(maxsize=64)
+def mount_T_tcp(description: Description) -> Pose:
     """Return the tip frame in the mount frame; a gripper's does not move with its fingers."""
     return tip_pose(description, (0.0,) * len(description.movable_joints))
 
