@@ -90,6 +90,14 @@ def test_only_the_top_of_the_stack_is_accessible() -> None:
     assert {f for f in found if f.startswith("accessible")} == {"accessible piece-3"}
 
 
+def test_a_buried_piece_stays_buried_even_if_only_it_is_a_candidate() -> None:
+    buried = ComponentId("piece-2")
+    view = site(candidates=(buried,), lies_at={buried: "stock"})
+    assert "accessible piece-2" not in facts(view)
+    lifted = with_robot(view, HANDLER, place="stock", holding=PIECE)
+    assert "accessible piece-2" in facts(lifted)
+
+
 def test_with_several_candidates_none_is_prescribed() -> None:
     pieces = (ComponentId("piece-2"), PIECE)
     assert not {g for g in goals(site(candidates=pieces)) if g.startswith("in-place")}
@@ -166,7 +174,7 @@ def test_a_target_whose_support_is_not_built_is_proven_impossible_with_its_reaso
     answer = foregone(problem, planner="x")
     assert isinstance(answer, NoPlan)
     assert answer.is_proven
-    assert "goal needs (ready t1), which no skill changes" in answer.reason
+    assert "goal needs (ready stud-1), which no skill changes" in answer.reason
 
 
 def test_an_operation_that_no_skill_does_is_named() -> None:

@@ -16,7 +16,7 @@ from sitewright.symbolic_planning.costs import FUNCTIONS
 from sitewright.symbolic_planning.domain import Domain, Fact
 from sitewright.symbolic_planning.evaluators import EVALUATORS, Evaluator, Truth
 from sitewright.symbolic_planning.grounding import GroundAction, ground, objects_by_type
-from sitewright.symbolic_planning.problem_text import problem_text
+from sitewright.symbolic_planning.problem_text import fact_text, problem_text
 from sitewright.symbolic_planning.site_index import (
     FASTENING_PROCESSES,
     FINISHING_PROCESSES,
@@ -64,7 +64,7 @@ class Problem:
 
     def in_site_ids(self, fact: Fact) -> Fact:
         """Return a fact with site ids for PDDL names."""
-        return (fact[0], *(self.site_id_by_name.get(n, n) for n in fact[1:]))
+        return _in_site_ids(fact, self.site_id_by_name)
 
     def call(self, action: GroundAction) -> SkillCall:
         """Return an action as a skill call in site ids."""
@@ -107,7 +107,7 @@ def problem_for(
     now, goal, goal_not = _evaluated(domain, members, names, site, evaluators)
     fluents = domain.fluents()
     static = frozenset(f for f in now if f[0] not in fluents)
-    impossible = _static_goals(goal, goal_not, static, fluents)
+    impossible = _static_goals(goal, goal_not, static, fluents, names)
     return _problem(
         Problem(
             domain=domain,
@@ -194,11 +194,17 @@ def _static_goals(
     goal_not: AbstractSet[Fact],
     static: AbstractSet[Fact],
     fluents: AbstractSet[str],
+    names: Mapping[str, str],
 ) -> tuple[str, ...]:
     differs = [f for f in goal if f[0] not in fluents and f not in static]
     holds = [f for f in goal_not if f in static]
-    texts = [f"({' '.join(f)})" for f in differs] + [f"(not ({' '.join(f)}))" for f in holds]
+    texts = [fact_text(_in_site_ids(f, names)) for f in differs]
+    texts += [f"(not {fact_text(_in_site_ids(f, names))})" for f in holds]
     return tuple(f"goal needs {t}, which no skill changes" for t in sorted(texts))
+
+
+def _in_site_ids(fact: Fact, names: Mapping[str, str]) -> Fact:
+    return (fact[0], *(names.get(n, n) for n in fact[1:]))
 
 
 def _hopeless_operations(site: SiteIndex) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from sitewright.building_model.component import Operation, Process
-from sitewright.construction_graph.graph import TargetNode
+from sitewright.construction_graph.graph import NOWHERE, MaterialNode, TargetNode
 from sitewright.foundation.ids import ComponentId, EndEffectorId, OperationId, RobotId, StationId
 from sitewright.robot_team.cell import Capability, Cell, StationKind
 from sitewright.symbolic_planning.site_view import PlaceId, SiteView
@@ -62,12 +62,7 @@ def index_site(view: SiteView) -> SiteIndex:
         target_of={op.id: t for op, t in operations},
         driven_after=_driven_after(fasteners, finishes.values(), tacks),
         occupied=frozenset(s.place for s in view.robot_status.values() if s.place is not None),
-        covered=frozenset(
-            p
-            for n in view.graph.node_by_id.values()
-            if n.id in view.lies_at
-            for p in n.construction_parents
-        ),
+        covered=_covered(view),
         preparation={r: preparation_place(view.cell, r) for r in view.cell.robot_by_id},
         bare_dock=_bare_docks(view),
     )
@@ -97,6 +92,17 @@ def _things(view: SiteView) -> tuple[ComponentId, ...]:
     held = {s.holding for s in view.robot_status.values() if s.holding is not None}
     placed = {view.in_place[t] for t in _targets(view) if t in view.in_place}
     return tuple(sorted({*view.candidates, *view.movable, *held, *placed}))
+
+
+def _covered(view: SiteView) -> frozenset[ComponentId]:
+    """Return the pieces on which another lies; one in a gripper or at its target covers none."""
+    lifted = {s.holding for s in view.robot_status.values()} | set(view.in_place.values())
+    return frozenset(
+        below
+        for node in view.graph.node_by_id.values()
+        if isinstance(node, MaterialNode) and node.id not in lifted and node.place != NOWHERE
+        for below in node.construction_parents
+    )
 
 
 def _operations(view: SiteView, target: ComponentId) -> tuple[Operation, ...]:

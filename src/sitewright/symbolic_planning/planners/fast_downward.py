@@ -75,7 +75,9 @@ def installation() -> Path:
         folder = Path(location) / "downward"
         if search_binary(folder).is_file():
             return folder
-    raise BackendMissingError("symbolic planner", "fast-downward", available=(), install=_INSTALL)
+    raise BackendMissingError(
+        "symbolic planner", "fast-downward", available=("builtin",), install=_INSTALL
+    )
 
 
 def search_binary(folder: Path) -> Path:
@@ -225,7 +227,7 @@ def _start(command: Sequence[str], folder: Path, stdin: IO[bytes]) -> subprocess
         )
     except FileNotFoundError as error:
         raise BackendMissingError(
-            "symbolic planner", "fast-downward", available=(), install=_INSTALL
+            "symbolic planner", "fast-downward", available=("builtin",), install=_INSTALL
         ) from error
     except OSError as error:
         raise BackendError(f"Fast Downward cannot be started: {error}.") from error
