@@ -61,7 +61,9 @@ def clipped(points_m: Sequence[Vector], plane: Plane) -> tuple[Vector, ...]:
         if hp < -_FLAT_M
         for q, hq in lost
     ]
-    return (*kept, *(c for c in _polygon(crossings, plane.normal) if _is_new(c, kept)))
+    edge = [p for p in kept if abs(plane.height_m(p)) <= _FLAT_M]
+    section = _polygon([*edge, *crossings], plane.normal)
+    return (*kept, *(corner for corner in section if _is_new(corner, kept)))
 
 
 def inside_length_m(

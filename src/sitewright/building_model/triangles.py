@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
 Point2 = tuple[float, float]
 
@@ -14,6 +15,8 @@ def convex_pieces(profile_m: Sequence[Point2]) -> list[tuple[Point2, ...]]:
     """Return convex polygons that together make up the profile; none if it crosses itself."""
     corners = _counter_clockwise(_without_repeats(profile_m))
     if len(corners) < _CORNERS or _signed_area_m2(corners) < _FLAT_M2:
+        return []
+    if _crosses_itself(corners):
         return []
     if _is_convex(corners):
         return [tuple(corners)]
@@ -43,6 +46,18 @@ def _is_ear(corners: Sequence[Point2], index: int) -> bool:
 
 def _is_inside(p: Point2, a: Point2, b: Point2, c: Point2) -> bool:
     return all(_cross(u, v, p) >= -_FLAT_M2 for u, v in ((a, b), (b, c), (c, a)))
+
+
+def _crosses_itself(corners: Sequence[Point2]) -> bool:
+    edges = list(zip(corners, (*corners[1:], *corners[:1]), strict=True))
+    return any(
+        _are_apart(p, q, *b) and _are_apart(*b, p, q) for (p, q), b in combinations(edges, 2)
+    )
+
+
+def _are_apart(p: Point2, q: Point2, a: Point2, b: Point2) -> bool:
+    """Return whether a and b lie on different sides of the line through p and q."""
+    return _cross(p, q, a) * _cross(p, q, b) < -(_FLAT_M2**2)
 
 
 def _is_convex(corners: Sequence[Point2]) -> bool:

@@ -10,6 +10,8 @@ from sitewright.foundation.canonical import Json
 
 SCHEMA_CODE = "K1"
 """A key is missing or unknown, or its value is of the wrong kind."""
+NUMBER_CODE = "K3"
+"""A number is NaN, infinite or too large."""
 
 _WIDTH = 60
 """Values in messages are cut to so many characters."""
@@ -60,7 +62,7 @@ def _problem(error: Mapping[str, Any], root: Json, known: frozenset[str]) -> Pro
     kind = str(error["type"])
     loc = tuple(error["loc"])
     return Problem(
-        code=SCHEMA_CODE,
+        code=NUMBER_CODE if kind == "finite_number" else SCHEMA_CODE,
         severity="E",
         where=place_of(loc, root),
         message=_sentence(kind, error, known),

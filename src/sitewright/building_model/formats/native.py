@@ -17,7 +17,7 @@ from sitewright.building_model.formats.to_file import document_of
 from sitewright.building_model.model import BuildingModel
 from sitewright.building_model.validation import STRUCTURE_CODES, check_model
 from sitewright.errors import ModelRejectedError, Problem
-from sitewright.foundation.border import problems_from
+from sitewright.foundation.border import NUMBER_CODE, problems_from
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.json_layout import laid_out
 
@@ -43,7 +43,7 @@ def read_building(path: Path | str, *, is_exported: bool = False) -> BuildingMod
     if not isinstance(document, dict):
         raise ModelRejectedError(path.name, [_not_an_object(path)])
     file, more = _validated(text, document)
-    problems += more
+    problems = _without_echo(problems, more)
     if file is None or problems:
         raise ModelRejectedError(path.name, problems)
     return _checked(path, file, is_exported=is_exported)
@@ -81,6 +81,13 @@ def _validated(text: str, document: Json) -> tuple[BuildingFile | None, list[Pro
             [dict(e) for e in error.errors(include_url=False)], document, keys_of(FileModel)
         )
     return file, _duplicate_ids(file)
+
+
+def _without_echo(of_text: list[Problem], of_schema: list[Problem]) -> list[Problem]:
+    """Return both lists; bad numbers only once, with their place in the model if it is known."""
+    placed = sum(p.code == NUMBER_CODE for p in of_schema)
+    echoes = [p for p in of_text if p.code == NUMBER_CODE][:placed]
+    return [p for p in of_text if p not in echoes] + of_schema
 
 
 def keys_of(base: type[BaseModel]) -> set[str]:

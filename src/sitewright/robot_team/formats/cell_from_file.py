@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from sitewright.errors import CellRejectedError, Problem, TeamError
@@ -207,7 +208,7 @@ class CellBuilder:
                 self._read[path] = read_urdf(path)
             return self._read[path]
         except CellRejectedError as error:
-            self.problems += error.problems
+            self.problems += [replace(p, where=f"{where}: {p.where}") for p in error.problems]
         except (TeamError, OSError) as error:
             fix = "Correct the name or the path."
             self.problems.append(problem("L3", where, f"{error}", fix))
