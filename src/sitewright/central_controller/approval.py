@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sitewright.central_controller.ports import Scope
 from sitewright.foundation.canonical import canonical_json
@@ -38,8 +38,12 @@ class Approval:
     mac: str = ""
 
 
-def seal(approval: Approval, key: bytes) -> str:
-    """Return the HMAC of an approval."""
+def sealed(approval: Approval, key: bytes) -> Approval:
+    """Return the approval with its HMAC."""
+    return replace(approval, mac=_mac(approval, key))
+
+
+def _mac(approval: Approval, key: bytes) -> str:
     text = canonical_json(
         [
             "sitewright-approval/1",
@@ -59,4 +63,4 @@ def seal(approval: Approval, key: bytes) -> str:
 
 def is_genuine(approval: Approval, key: bytes) -> bool:
     """Return whether the approval was sealed with this key and not changed since."""
-    return hmac.compare_digest(seal(approval, key), approval.mac)
+    return hmac.compare_digest(_mac(approval, key), approval.mac)

@@ -40,6 +40,7 @@ from sitewright.central_controller.events import (
     ProposalSuperseded,
     QuestionAnswered,
     QuestionAsked,
+    RefusalMet,
     RunFinished,
     RunHeld,
     RunResumed,
@@ -49,6 +50,8 @@ from sitewright.central_controller.events import (
     SkillOutcome,
     SkillReconciled,
     SkillReissued,
+    TargetRefused,
+    TargetSelected,
 )
 from sitewright.central_controller.site_fold import site_after
 from sitewright.central_controller.skill_fold import (
@@ -154,7 +157,7 @@ def _uncertain(state: CycleState) -> CycleState:
     return state
 
 
-def _after_other_event(  # noqa: C901, PLR0911 -- one line per kind of event
+def _after_other_event(  # noqa: C901, PLR0911, PLR0912 -- one line per kind of event
     state: CycleState, event: AnyEvent
 ) -> CycleState:
     match event:
@@ -177,6 +180,12 @@ def _after_other_event(  # noqa: C901, PLR0911 -- one line per kind of event
             return replace(state, question=question)
         case QuestionAnswered(answer=answer):
             return answered(state, answer)
+        case TargetSelected():
+            return replace(state, refusals=())
+        case RefusalMet(refusal=refusal):
+            return replace(state, refusals=(*state.refusals, refusal))
+        case TargetRefused(exit_code=code):
+            return replace(state, refusal_codes=(*state.refusal_codes, code))
         case DeviationSeen(after=after) if state.flight is not None and after:
             return replace(state, flight=replace(state.flight, has_deviated=True))
         case SiteObserved(after=after) if after:

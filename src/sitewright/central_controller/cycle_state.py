@@ -8,7 +8,7 @@ from enum import StrEnum
 
 from sitewright.central_controller.approval import Approval
 from sitewright.central_controller.events import ProposalMade, RunFinished, RunHeld, SkillIntent
-from sitewright.central_controller.ports import Question
+from sitewright.central_controller.ports import Question, RefusalNote
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId, RunId
 from sitewright.robot_team.driver import SkillReport
@@ -62,6 +62,8 @@ class CycleState:
         why: Why an approval is asked anew.
         replans: Replans per target since the command was last given.
         rejected: Fingerprints that people refused.
+        refusals: Refusals met while planning the open proposal.
+        refusal_codes: Exit codes of the targets set aside in this run.
         held: Why the run stands, with the exit code.
     """
 
@@ -80,5 +82,7 @@ class CycleState:
     replan_times_utc_ns: tuple[int, ...] = ()
     link_losses: int = 0
     rejected: frozenset[str] = frozenset()
+    refusals: tuple[RefusalNote, ...] = ()
+    refusal_codes: tuple[int, ...] = ()
     held: RunHeld | None = None
     finished: RunFinished | None = None

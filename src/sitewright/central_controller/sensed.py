@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from sitewright.central_controller.events import SiteObserved
@@ -9,6 +10,7 @@ from sitewright.foundation.pose import Pose
 from sitewright.robot_team.driver import Observation, RobotObservation
 
 _SAME_M = 1e-4
+_PIECES_PER_EVENT = 100
 _SAME_RAD = 2e-4
 
 
@@ -33,6 +35,23 @@ def difference(before: Observation | None, now: Observation, *, after: str = "")
         coverage={o: c for o, c in now.coverage.items() if before.coverage.get(o) != c},
         docked=dict(now.docked),
     )
+
+
+def differences(
+    before: Observation | None, now: Observation, *, after: str = ""
+) -> Iterator[SiteObserved]:
+    """Return what changed in events that fit the journal; only the last one says `after`."""
+    whole = difference(before, now, after=after)
+    pieces = sorted(whole.world_T_piece)
+    for start in range(_PIECES_PER_EVENT, len(pieces), _PIECES_PER_EVENT):
+        some = pieces[start : start + _PIECES_PER_EVENT]
+        yield SiteObserved(
+            time_s=whole.time_s,
+            world_T_piece={p: whole.world_T_piece[p] for p in some},
+            docked=whole.docked,
+        )
+    first = {p: whole.world_T_piece[p] for p in pieces[:_PIECES_PER_EVENT]}
+    yield replace(whole, world_T_piece=first)
 
 
 def merged(before: Observation | None, event: SiteObserved) -> Observation:

@@ -195,7 +195,8 @@ def read_records(path: Path) -> tuple[Record, ...]:
     try:
         db = apsw.Connection(str(path), flags=apsw.SQLITE_OPEN_READONLY)
         try:
-            rows = db.execute(f"{_SELECT} ORDER BY seq").fetchall()
+            blank = not db.execute("SELECT 1 FROM sqlite_schema LIMIT 1").fetchall()
+            rows = [] if blank else db.execute(f"{_SELECT} ORDER BY seq").fetchall()
         finally:
             db.close(force=True)
         records = tuple(_record(row) for row in rows)

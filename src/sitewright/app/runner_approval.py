@@ -1,0 +1,118 @@
+"""The approval command: show the open proposal, seal the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from sitewright.app.runner import Run
+from sitewright.central_controller.approval import START_DEADLINE_NS, Approval, sealed
+from sitewright.central_controller.events import (
+    AlternativeChosen,
+    AnyEvent,
+    ApprovalGiven,
+    ApprovalRefused,
+    ApprovalRejected,
+    RunHeld,
+    TargetRefused,
+)
+from sitewright.central_controller.fingerprint import check_code
+from sitewright.central_controller.ports import (
+    Alternative,
+    ApprovalRequest,
+    Approve,
+    DoInstead,
+    Hold,
+    Reject,
+)
+from sitewright.central_controller.site_state import Rejection
+
+_APPROVAL = 7
+
+
+def ask_approval(run: Run, step: int) -> Iterator[AnyEvent]:
+    """Ask for an approval that covers `step` of the open proposal."""
+    request = _request(run, step)
+    answer = run.ports.approver.ask(request)
+    match answer:
+        case Approve():
+            yield from _approved(run, request, answer)
+        case Reject():
+            yield from _rejected(request, answer)
+        case DoInstead(who=who, call=call):
+            yield AlternativeChosen(who=who, fingerprint=request.fingerprint, call=call)
+        case Hold(who=who, reason=reason):
+            text = f"{who} holds the run." if not reason else f"{who} holds the run: {reason}"
+            yield RunHeld(reason=text, exit_code=_APPROVAL)
+
+
+def _request(run: Run, step: int) -> ApprovalRequest:
+    made, proposal = run.state.proposal, run.proposal()
+    assert made is not None  # noqa: S101 -- the cycle asks only for an open proposal
+
+    def alternatives() -> tuple[Alternative, ...]:
+        return run.ports.planner.alternatives(run.context(run.cell.observe()))
+
+    return ApprovalRequest(
+        proposal=proposal,
+        fingerprint=made.fingerprint,
+        code=check_code(made.fingerprint),
+        next_step=step,
+        is_single=made.is_single,
+        alternatives=alternatives,
+        refusals=run.state.refusals,
+        why=run.state.why,
+    )
+
+
+def _approved(run: Run, request: ApprovalRequest, answer: Approve) -> Iterator[AnyEvent]:
+    approval_id, now = run.ports.ids.new(), run.ports.clock.utc_ns()
+    problem = ""
+    if answer.fingerprint != request.fingerprint:
+        shown, open_ = check_code(answer.fingerprint), request.code
+        problem = f"The answer is about plan {shown}; the open one is {open_}."
+    elif not answer.scope.covers(request.next_step):
+        problem = f"The answer does not cover step {request.next_step}."
+    if problem:
+        yield ApprovalRefused(
+            approval_id=approval_id,
+            fingerprint=answer.fingerprint,
+            step=request.next_step,
+            reason=problem,
+        )
+        yield RunHeld(reason=problem, exit_code=_APPROVAL)
+        return
+    approval = Approval(
+        approval_id=approval_id,
+        fingerprint=request.fingerprint,
+        scope=answer.scope,
+        who=answer.who,
+        given_utc_ns=now,
+        start_before_utc_ns=now + START_DEADLINE_NS,
+        nonce=run.ports.ids.new(),
+        comment=answer.comment,
+    )
+    yield ApprovalGiven(approval=sealed(approval, run.ports.key))
+
+
+def _rejected(request: ApprovalRequest, answer: Reject) -> Iterator[AnyEvent]:
+    proposal = request.proposal
+    left = [s for s in proposal.steps if s.number >= request.next_step]
+    calls = [s.call for s in left if answer.step in (0, s.number)]
+    yield ApprovalRejected(
+        who=answer.who,
+        rejection=Rejection(
+            fingerprint=request.fingerprint,
+            target=proposal.target,
+            reason=answer.reason,
+            detail=answer.detail,
+            step=answer.step,
+            calls=tuple(calls),
+        ),
+    )
+    if answer.reason == "later":
+        yield TargetRefused(
+            target=proposal.target,
+            reason=f"{answer.who} put it off: {answer.detail}".rstrip(": "),
+            is_proven=False,
+            exit_code=_APPROVAL,
+        )

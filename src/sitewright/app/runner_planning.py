@@ -1,0 +1,114 @@
+"""Planning commands: from the site as sensed to a proposal in the run folder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from sitewright.app.runner import Run
+from sitewright.app.runner_steps import observed
+from sitewright.central_controller.events import (
+    AlternativeRefused,
+    AnyEvent,
+    ProposalMade,
+    RefusalMet,
+    RunFinished,
+    RunHeld,
+    StepSummary,
+    TargetRefused,
+    TargetSelected,
+)
+from sitewright.central_controller.ports import Escalation, NothingToDo, Planned
+from sitewright.central_controller.proposal import Proposal
+from sitewright.foundation.ids import ComponentId
+from sitewright.robot_team.skill import Skill, SkillCall
+
+_APPROVAL = 7
+_EFFECT_OF: Mapping[str, str] = {
+    Skill.POSITION: "(in-place ",
+    Skill.RELEASE: "(standing ",
+    Skill.FASTEN: "(fastened ",
+    Skill.APPLY_FINISH: "(finished ",
+}
+
+
+def plan_next(run: Run, exclude: frozenset[ComponentId]) -> Iterator[AnyEvent]:
+    """Look at the site and ask the planner for the front target's proposal."""
+    seen = yield from observed(run)
+    if run.state.held is not None:
+        return
+    outcome = run.ports.planner.propose(run.context(seen), exclude=exclude)
+    match outcome:
+        case Planned():
+            yield TargetSelected(target=outcome.proposal.target)
+            yield from _proposed(run, outcome, is_single=False)
+        case Escalation():
+            run.folder.save_texts(outcome.target, outcome.attachments)
+            yield from (RefusalMet(refusal=r) for r in outcome.refusals)
+            yield TargetRefused(
+                target=outcome.target,
+                reason=outcome.reason,
+                is_proven=outcome.is_proven,
+                exit_code=outcome.exit_code,
+                timing_s=outcome.timing_s,
+            )
+        case NothingToDo():
+            figures = run.cell.ask(run.ports.final_figures)
+            yield RunFinished(is_complete=run.state.site.is_complete, extra=figures)
+
+
+def plan_single(run: Run, call: SkillCall) -> Iterator[AnyEvent]:
+    """Plan the one action that a person chose."""
+    seen = yield from observed(run)
+    if run.state.held is not None:
+        return
+    outcome = run.ports.planner.propose_single(run.context(seen), call)
+    match outcome:
+        case Planned():
+            yield from _proposed(run, outcome, is_single=True)
+        case Escalation(reason=reason):
+            yield from (RefusalMet(refusal=r) for r in outcome.refusals)
+            yield AlternativeRefused(call=call, reason=reason)
+        case NothingToDo():
+            yield AlternativeRefused(call=call, reason="This action is not feasible now.")
+
+
+def _proposed(run: Run, planned: Planned, *, is_single: bool) -> Iterator[AnyEvent]:
+    proposal = planned.proposal
+    _check(run, proposal)
+    yield from (RefusalMet(refusal=r) for r in planned.refusals)
+    run.folder.save_texts(proposal.target, planned.attachments)
+    digest = run.keep(proposal)
+    if digest in run.state.rejected:
+        reason = "The planner has no other plan than the one that was rejected."
+        yield RunHeld(reason=reason, exit_code=_APPROVAL)
+        return
+    yield ProposalMade(
+        fingerprint=digest,
+        target=proposal.target,
+        site_serial=proposal.site_serial,
+        is_single=is_single,
+        timing_s=planned.timing_s,
+        steps=tuple(
+            StepSummary(
+                number=step.number,
+                call=step.call,
+                duration_s=step.duration_s,
+                trajectories=len(step.motions),
+                closest_distance_m=step.closest_distance_m,
+            )
+            for step in proposal.steps
+        ),
+    )
+
+
+def _check(run: Run, proposal: Proposal) -> None:
+    """Refuse a proposal that the run could not follow; a planner that makes one has a bug."""
+    numbers = [step.number for step in proposal.steps]
+    if not numbers or numbers != list(range(1, len(numbers) + 1)):
+        raise ValueError(f"proposal for {proposal.target} numbers its steps {numbers}")
+    if (proposal.run, proposal.site_serial) != (run.state.run, run.state.site.serial):
+        raise ValueError(f"proposal for {proposal.target} is not about the site as it is")
+    for step in proposal.steps:
+        effect = _EFFECT_OF.get(step.call.skill)
+        if effect and not any(text.startswith(effect) for text in step.effects):
+            raise ValueError(f"step {step.number} ({step.call.skill}) lacks the effect {effect}..)")
