@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from sitewright.central_controller.ports import Alternative, ApprovalRequest
-from sitewright.central_controller.proposal import ProposedStep
+from sitewright.central_controller.fingerprint import check_code, fingerprint
+from sitewright.central_controller.ports import Alternative, ApprovalRequest, RefusalNote
+from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import counted, in_millimetres, in_seconds
 from sitewright.interaction_twin.narration import act_of, folded, narrate, reason
@@ -57,23 +58,46 @@ class ProposalView:
 def proposal_view(
     request: ApprovalRequest, labels: Labels, book: Phrasebook = ENGLISH
 ) -> ProposalView:
-    """Return what is shown of an approval request."""
+    """Return what is shown of a request; done steps are marked, times are of what is left."""
     steps = request.proposal.steps
     left = [s for s in steps if s.number >= request.next_step]
-    distances = [s.closest_distance_m for s in left if s.closest_distance_m is not None]
-    target = labels.name(request.proposal.target)
-    what = "One chosen step for" if request.is_single else "Plan for"
+    whole = view_of(request.proposal, labels, book, refusals=request.refusals)
     runs = folded([(s.number, s.call) for s in left], labels, book)
-    return ProposalView(
-        title=f"{what} {target}",
+    target = labels.name(request.proposal.target)
+    return replace(
+        whole,
+        title=f"One chosen step for {target}" if request.is_single else whole.title,
         code=request.code,
         steps=step_views(steps, labels, book, next_step=request.next_step),
         summary=tuple(f"{run.robot} {run.words}" for run in runs),
         duration_s=sum(s.duration_s for s in left),
-        closest_distance_m=min(distances, default=None),
-        notes=tuple(f"{labels.name(n.target)}: {n.reason} ({n.kind})" for n in request.refusals),
+        closest_distance_m=_closest(left),
         why=request.why,
     )
+
+
+def view_of(
+    proposal: Proposal,
+    labels: Labels,
+    book: Phrasebook = ENGLISH,
+    *,
+    refusals: Sequence[RefusalNote] = (),
+) -> ProposalView:
+    """Return what is shown of a proposal by itself."""
+    runs = folded([(s.number, s.call) for s in proposal.steps], labels, book)
+    return ProposalView(
+        title=f"Plan for {labels.name(proposal.target)}",
+        code=check_code(fingerprint(proposal)),
+        steps=step_views(proposal.steps, labels, book),
+        summary=tuple(f"{run.robot} {run.words}" for run in runs),
+        duration_s=sum(s.duration_s for s in proposal.steps),
+        closest_distance_m=_closest(proposal.steps),
+        notes=tuple(f"{labels.name(n.target)}: {n.reason} ({n.kind})" for n in refusals),
+    )
+
+
+def _closest(steps: Sequence[ProposedStep]) -> float | None:
+    return min((d for s in steps if (d := s.closest_distance_m) is not None), default=None)
 
 
 def step_views(
@@ -107,7 +131,7 @@ def plan_lines(view: ProposalView) -> tuple[str, ...]:
     )
     rows = [_cells(step) for step in view.steps]
     widths = [max((len(row[c]) for row in rows), default=0) for c in range(5)]
-    lines = [head, f"Check code {view.code}", ""]
+    lines = [head, f"Check code {view.code}", f"In short: {'; '.join(view.summary)}.", ""]
     for row, step in zip(rows, view.steps, strict=True):
         number, robot, words, time, distance = (
             cell.rjust(w) if c in {0, 3, 4} else cell.ljust(w)

@@ -1,0 +1,64 @@
+"""A failed command: what went wrong in words, as JSON if asked for, and the exit code."""
+
+from __future__ import annotations
+
+import json
+import sys
+import traceback
+from collections.abc import Sequence
+
+import click
+
+from sitewright.cli.output import problems_json
+from sitewright.errors import CellRejectedError, ModelRejectedError, SitewrightError
+from sitewright.foundation.canonical import Json
+
+INTERNAL, USAGE, INTERRUPTED = 1, 2, 130
+SCHEMA = "sitewright.error/1"
+
+
+def failed(error: BaseException, arguments: Sequence[str]) -> int:
+    """Print an error as the command line was asked to, and return the exit code.
+
+    Args:
+        error: What ended the command.
+        arguments: The command line, which may not even have been parsed.
+    """
+    code, message = _what(error)
+    if "--debug" in arguments:
+        traceback.print_exception(error, file=sys.stderr)
+    if "--json" in arguments:
+        click.echo(json.dumps(_document(error, code, message), indent=2, ensure_ascii=False))
+    if isinstance(error, click.UsageError):
+        error.show()
+    elif message:
+        click.secho(f"error: {message}", err=True, fg="red")
+    if code == INTERNAL and "--debug" not in arguments:
+        click.echo("This is a bug in Sitewright; --debug shows where.", err=True)
+    return code
+
+
+def _what(error: BaseException) -> tuple[int, str]:
+    match error:
+        case SitewrightError():
+            return error.exit_code, str(error)
+        case click.Abort() | KeyboardInterrupt():
+            return INTERRUPTED, "interrupted"
+        case click.ClickException():
+            return USAGE, error.format_message()
+        case OSError(filename=name, strerror=why) if name:
+            return INTERNAL, f"{name}: {why}"
+        case _:
+            return INTERNAL, f"{type(error).__name__}: {error}"
+
+
+def _document(error: BaseException, code: int, message: str) -> dict[str, Json]:
+    document: dict[str, Json] = {
+        "schema": SCHEMA,
+        "exit_code": code,
+        "error": type(error).__name__,
+        "message": message,
+    }
+    if isinstance(error, ModelRejectedError | CellRejectedError):
+        document["problems"] = problems_json(error.problems)
+    return document

@@ -1,0 +1,55 @@
+"""What goes where: the result to stdout (as one JSON document if asked), the rest to stderr."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import click
+
+from sitewright.errors import Problem
+from sitewright.foundation.canonical import Json
+
+
+@dataclass(frozen=True, slots=True)
+class Output:
+    """Where a command's words go.
+
+    Attributes:
+        is_json: Print one document instead of lines.
+    """
+
+    is_json: bool
+
+    def line(self, words: str = "") -> None:
+        """Print a line of the result for people."""
+        if not self.is_json:
+            click.echo(words)
+
+    def note(self, words: str) -> None:
+        """Print progress."""
+        click.echo(words, err=True)
+
+    def document(self, schema: str, content: Mapping[str, Json]) -> None:
+        """Print the result as JSON, if JSON was asked for."""
+        if self.is_json:
+            text = {"schema": schema, **content}
+            click.echo(json.dumps(text, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def problem_json(problem: Problem) -> dict[str, Json]:
+    """Return a problem of a file as JSON."""
+    return {
+        "code": problem.code,
+        "severity": problem.severity,
+        "where": problem.where,
+        "message": problem.message,
+        "fix": problem.fix,
+        "source_id": problem.source_id,
+    }
+
+
+def problems_json(problems: Sequence[Problem]) -> list[Json]:
+    """Return all problems as JSON."""
+    return [problem_json(p) for p in problems]
