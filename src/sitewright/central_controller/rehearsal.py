@@ -63,7 +63,7 @@ def rehearsed(context: SiteContext, proposal: Proposal) -> SiteContext:
         site,
         standing=site.standing | {proposal.target},
         installed=(*site.installed, proposal.target),
-        place_by_robot=dict.fromkeys(context.observation.robots),
+        place_by_robot={},
     )
     return replace(context, site=site)
 

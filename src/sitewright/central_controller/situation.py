@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from sitewright.building_model.component import Component, Layer, Operation, Process
 from sitewright.building_model.model import BuildingModel, RelationKind
-from sitewright.building_model.shapes import mass_of, shape_of, size_of
+from sitewright.building_model.shapes import extent_of, mass_of, shape_of, size_of
 from sitewright.central_controller.ports import SiteContext
 from sitewright.construction_graph.graph import (
     JOBSITE,
@@ -17,6 +17,7 @@ from sitewright.construction_graph.graph import (
 )
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import Pose, Vector, scale
+from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import ArmState, Jobsite, PieceShape
 from sitewright.planning_twin.motion import Kinematics
@@ -28,6 +29,7 @@ from sitewright.symbolic_planning.site_view import PlaceId, RobotStatus
 
 _AT_HOME_RAD = 0.02
 _LEVEL = 0.2
+_TOUCHING_M = 0.002
 _FASTENING = (Process.NAIL, Process.SCREW, Process.DRILL)
 
 
@@ -137,10 +139,11 @@ def task_of(
         world_T_target=world_T_target,
         candidates=candidates,
         touches=_touches(design, context, component),
+        rests_on=_rests_on(design, context, component),
         insertions=_insertions(world_T_target),
-        lies_on={c: _lies_on(design, graph, c) for c in candidates},
+        lies_on={c: _lies_on(design, graph, context, c) for c in candidates},
         spots=tuple(
-            spot_of(design, context, target, o, world_T_target)
+            spot_of(context, target, o, world_T_target)
             for o in component.operations
             if o.id not in done and o.process is not Process.PLACE
         ),
@@ -155,7 +158,6 @@ def task_of(
 
 
 def spot_of(
-    design: Design,
     context: SiteContext,
     target: ComponentId,
     operation: Operation,
@@ -168,7 +170,7 @@ def spot_of(
         process=operation.process,
         target=target,
         world_T_operation=world_T_target @ operation.component_T_operation,
-        into=None if receiver is None else body_of(design, context, receiver),
+        into=None if receiver is None else body_of(context, receiver),
         fastener=operation.fastener,
         patch=operation.patch,
         needs_hold=operation.needs_hold,
@@ -176,30 +178,54 @@ def spot_of(
     )
 
 
-def body_of(design: Design, context: SiteContext, component: ComponentId) -> ComponentId:
+def body_of(context: SiteContext, component: ComponentId) -> ComponentId:
     """Return the physical piece of a component: what it was made of, or itself."""
-    del design
     placed = context.site.placed.get(component)
     return component if placed is None else placed.piece
 
 
 def _touches(design: Design, context: SiteContext, component: Component) -> tuple[BodyId, ...]:
-    """Return what a placed component may touch: parents and joined neighbours, or the ground."""
-    related = set(component.construction_parents) | {
+    """Return what a placed component may touch: what carries it, and joined neighbours."""
+    related = {
         other
         for r in design.model.relations
         if r.kind in (RelationKind.CONNECTION, RelationKind.CONTACT, RelationKind.SUPPORTS)
         for this, other in ((r.a, r.b), (r.b, r.a))
         if this == component.id
     }
-    standing = [
-        BodyId(body_of(design, context, c))
-        for c in sorted(related)
+    joined = _standing(design, context, sorted(related))
+    return tuple(dict.fromkeys((*_rests_on(design, context, component), *joined)))
+
+
+def _rests_on(design: Design, context: SiteContext, component: Component) -> tuple[BodyId, ...]:
+    """Return what carries a placed component: construction parents, or the fixture under it."""
+    parents = _standing(design, context, component.construction_parents)
+    if component.construction_parents and not component.ground:
+        return parents
+    pose = design.world_T_target(component.id)
+    return (*parents, *_fixtures_at(design.cell, shape_of(component), pose))
+
+
+def _standing(
+    design: Design, context: SiteContext, components: Iterable[ComponentId]
+) -> tuple[BodyId, ...]:
+    return tuple(
+        BodyId(body_of(context, c))
+        for c in components
         if c in context.site.placed or design.component(c).layer is Layer.AS_BUILT
-    ]
-    is_grounded = component.ground or not component.construction_parents
-    fixtures = sorted(design.cell.fixture_by_id) if is_grounded else []
-    return (*standing, *(BodyId(f) for f in fixtures))
+    )
+
+
+def _fixtures_at(cell: Cell, shape: Shape, world_T_shape: Pose) -> tuple[BodyId, ...]:
+    """Return the fixtures whose bounding boxes a body at a pose touches."""
+    body = extent_of(shape, world_T_shape)
+    found = []
+    for fixture in cell.fixture_by_id.values():
+        other = extent_of(fixture.shape, fixture.world_T_fixture)
+        sides = zip(body.low_m, body.high_m, other.low_m, other.high_m, strict=True)
+        if max(max(low - top, bottom - high) for low, high, bottom, top in sides) < _TOUCHING_M:
+            found.append(BodyId(fixture.id))
+    return tuple(found)
 
 
 def _insertions(world_T_target: Pose) -> tuple[Vector, ...]:
@@ -209,12 +235,16 @@ def _insertions(world_T_target: Pose) -> tuple[Vector, ...]:
     return (UP, *(s for s in sides if -_LEVEL < s[2] < 1.0 - _LEVEL))
 
 
-def _lies_on(design: Design, graph: ConstructionGraph, piece: ComponentId) -> tuple[BodyId, ...]:
+def _lies_on(
+    design: Design, graph: ConstructionGraph, context: SiteContext, piece: ComponentId
+) -> tuple[BodyId, ...]:
+    """Return what a piece lies on where it was seen: the piece below, else the fixture."""
     node = graph.node_by_id.get(piece)
-    parents = () if node is None else node.construction_parents
-    below = [BodyId(p) for p in parents if p != JOBSITE]
-    fixtures = [] if below else [BodyId(f) for f in sorted(design.cell.fixture_by_id)]
-    return (*below, *fixtures)
+    below = [BodyId(p) for p in (() if node is None else node.construction_parents) if p != JOBSITE]
+    seen = context.observation.world_T_piece.get(piece)
+    if below or seen is None:
+        return tuple(below)
+    return _fixtures_at(design.cell, shape_of(design.component(piece)), seen)
 
 
 def robot_statuses(
@@ -235,10 +265,12 @@ def robot_statuses(
 
 
 def _place(design: Design, context: SiteContext, robot: RobotId, arm: ArmState) -> PlaceId | None:
+    """Return where a robot is: what its last motion says, else its station if it is at home."""
+    if robot in context.site.place_by_robot:
+        return context.site.place_by_robot[robot]
     home = design.cell.robot_by_id[robot].home_q_rad
-    if max(abs(a - b) for a, b in zip(arm.q_rad, home, strict=True)) < _AT_HOME_RAD:
-        return preparation_place(design.cell, robot)
-    return context.site.place_by_robot.get(robot)
+    is_home = max(abs(a - b) for a, b in zip(arm.q_rad, home, strict=True)) < _AT_HOME_RAD
+    return preparation_place(design.cell, robot) if is_home else None
 
 
 def lies_at(graph: ConstructionGraph, pieces: tuple[ComponentId, ...]) -> dict[ComponentId, str]:
