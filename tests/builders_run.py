@@ -10,6 +10,7 @@ from pathlib import Path
 from sitewright.app.run import RunOptions
 from sitewright.app.runner import RunPorts
 from sitewright.central_controller.events import AnyEvent
+from sitewright.central_controller.expectation import pose_of
 from sitewright.central_controller.ports import (
     Alternative,
     Answer,
@@ -235,8 +236,8 @@ class DiskCell:
             case "grasp":
                 world.gripped[robot] = piece
             case "position":
-                x, y, z = params["world_T_piece"]["p_m"]  # type: ignore[index,call-overload]
-                world.pieces[piece] = Pose((x, y, z + 0.001))  # type: ignore[operator,arg-type]
+                x, y, z = pose_of(params["world_T_piece"]).position_m
+                world.pieces[piece] = Pose((x, y, z + 0.001))
             case "release":
                 world.gripped[robot] = None
             case "fasten":
@@ -477,7 +478,7 @@ class Site:
             clock=self.clock,
             ids=Ids(self.controller, f"life-{self.lives}"),
             key=KEY,
-            write_as_built=lambda folder, site: _write_as_built(folder, site),
+            write_as_built=_write_as_built,
             final_figures=lambda _: {"contacts": 0},
             pause=lambda _: None,
             on_event=on_event,
@@ -504,7 +505,7 @@ class Site:
         return DiskCell(cells[-1], Boundaries()).read()
 
     def change_world(self, change: Callable[[World], None]) -> None:
-        cell = DiskCell(sorted((self.folder / "runs").glob("*/cell"))[-1], Boundaries())
+        cell = DiskCell(max((self.folder / "runs").glob("*/cell")), Boundaries())
         world = cell.read()
         change(world)
         cell.write(world)

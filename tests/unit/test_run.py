@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from typing_extensions import override
 
-from builders_run import A, B, Site, World, design, moved
+from builders_run import A, B, Person, Site, World, design, moved
 from sitewright.app.locks import LockedError, locked
 from sitewright.app.run import resolve, run_project
 from sitewright.app.run_folder import RunFolder, chain_events, chain_of, run_folders
-from sitewright.central_controller.events import AnyEvent
+from sitewright.app.runner import RunPorts
+from sitewright.central_controller.events import (
+    AnyEvent,
+    ComponentInstalled,
+    DeviationSeen,
+    ProposalSuperseded,
+    SkillIntent,
+)
 from sitewright.central_controller.ports import (
     Answer,
     ApprovalAnswer,
@@ -109,11 +119,11 @@ def test_a_previous_run_that_was_cut_is_noticed(tmp_path: Path) -> None:
 def test_step_mode_asks_before_each_step(tmp_path: Path) -> None:
     site = Site(tmp_path, site=design(targets=1))
 
-    class StepByStep(type(site.person)):  # type: ignore[misc]
+    class StepByStep(Person):
+        @override
         def ask(self, request: ApprovalRequest) -> ApprovalAnswer:
             self.scope = Scope(ScopeKind.STEP, request.next_step)
-            answer: ApprovalAnswer = super().ask(request)
-            return answer
+            return super().ask(request)
 
     site.person = StepByStep()
     assert run_project(site.ports(), site.options()).is_complete
@@ -170,31 +180,15 @@ def test_an_answer_about_another_plan_starts_nothing(tmp_path: Path) -> None:
 
 def test_an_approval_that_waits_too_long_is_asked_for_again(tmp_path: Path) -> None:
     site = Site(tmp_path)
-    ask_again: list[str] = []
-
-    def slow(request: ApprovalRequest) -> ApprovalAnswer:
-        site.planner.calls += 0
-        return Approve(fingerprint=request.fingerprint, who="tester")
-
-    original = site.check.check
-
-    def late(request: ApprovalRequest) -> ApprovalAnswer:
-        ask_again.append(request.why)
-        return Approve(fingerprint=request.fingerprint, who="tester")
-
-    site.person.script = [slow, late]
-    ports = site.ports()
-    clock_jump = iter([700_000_000_000])
+    jump_ns = iter([700_000_000_000])
 
     def on_event(event: AnyEvent) -> None:
-        site.events.append(event)
         if event.kind == "approval_given":
-            site.clock.now_ns += next(clock_jump, 0)
+            site.clock.now_ns += next(jump_ns, 0)
 
-    object.__setattr__(ports, "on_event", on_event)
-    assert run_project(ports, site.options()).is_complete
-    assert ask_again == ["This approval was not started within 10 min. Approve again."]
-    assert original is not None
+    assert run_project(replace(site.ports(), on_event=on_event), site.options()).is_complete
+    whys = [r.why for r in site.person.asked]
+    assert whys == ["", "This approval was not started within 10 min. Approve again.", ""]
 
 
 @pytest.mark.parametrize("skill", ["grasp", "position", "fasten", "release", "reach"])
@@ -211,8 +205,9 @@ def test_a_skill_that_always_fails_ends_in_a_hold(tmp_path: Path) -> None:
     site = Site(tmp_path)
 
     class Always(dict[str, str]):
-        def pop(self, key: str, default: str = "") -> str:  # type: ignore[override]
-            return "grasp-failed" if key == "grasp" else default
+        @override
+        def pop(self, key: str, default: object = "") -> str:  # type: ignore[override]
+            return "grasp-failed" if key == "grasp" else ""
 
     site.fail = Always()
     result = run_project(site.ports(), site.options())
@@ -222,19 +217,16 @@ def test_a_skill_that_always_fails_ends_in_a_hold(tmp_path: Path) -> None:
     assert run_project(site.ports(), site.options()).is_complete
 
 
-def when(site: Site, kind: str, change: object) -> object:
+def when(site: Site, kind: str, change: Callable[[World], None]) -> RunPorts:
     """Change the world once, right after an event of a kind."""
-    ports = site.ports()
-    done: list[bool] = []
+    ports, first = site.ports(), iter([True])
 
     def on_event(event: AnyEvent) -> None:
         site.events.append(event)
-        if event.kind == kind and not done:
-            done.append(True)
-            site.change_world(change)  # type: ignore[arg-type]
+        if event.kind == kind and next(first, False):
+            site.change_world(change)
 
-    object.__setattr__(ports, "on_event", on_event)
-    return ports
+    return replace(ports, on_event=on_event)
 
 
 def test_a_piece_moved_before_it_is_picked_leads_to_a_new_plan(tmp_path: Path) -> None:
@@ -243,7 +235,7 @@ def test_a_piece_moved_before_it_is_picked_leads_to_a_new_plan(tmp_path: Path) -
     def nudge(world: World) -> None:
         world.pieces["piece-1"] = moved(world.pieces["piece-1"], 0.05)
 
-    result = run_project(when(site, "approval_given", nudge), site.options())  # type: ignore[arg-type]
+    result = run_project(when(site, "approval_given", nudge), site.options())
     assert result.is_complete
     assert kinds(site).count("deviation_seen") == 1
     assert result.site.serial == 1
@@ -256,7 +248,7 @@ def test_a_small_shift_is_no_deviation(tmp_path: Path) -> None:
     def nudge(world: World) -> None:
         world.pieces["piece-4"] = moved(world.pieces["piece-4"], 0.0015)
 
-    assert run_project(when(site, "approval_given", nudge), site.options()).is_complete  # type: ignore[arg-type]
+    assert run_project(when(site, "approval_given", nudge), site.options()).is_complete
     assert "deviation_seen" not in kinds(site)
 
 
@@ -268,31 +260,29 @@ def test_a_piece_dropped_on_the_way_is_noticed_and_another_plan_made(tmp_path: P
             world.pieces[world.gripped[A] or ""] = moved(world.pieces["piece-2"], 0.3)
             world.gripped[A] = None
 
-    ports = site.ports()
     intents: list[str] = []
 
     def on_event(event: AnyEvent) -> None:
-        site.events.append(event)
-        if event.kind == "skill_intent":
-            intents.append(event.call.skill)  # type: ignore[union-attr]
+        if isinstance(event, SkillIntent):
+            intents.append(event.call.skill)
             if intents[-2:] == ["grasp", "reach"] and len(intents) < 5:
                 site.change_world(drop)
 
-    object.__setattr__(ports, "on_event", on_event)
-    result = run_project(ports, site.options())
+    result = run_project(replace(site.ports(), on_event=on_event), site.options())
     assert result.is_complete
-    seen = [e for e in events_of(site) if e.kind == "deviation_seen"]
-    assert any("not in the gripper" in e.what for e in seen)  # type: ignore[union-attr]
+    seen = [e for e in events_of(site) if isinstance(e, DeviationSeen)]
+    assert any("not in the gripper" in e.what for e in seen)
 
 
 def test_an_installed_piece_that_moves_far_stops_the_run_for_a_person(tmp_path: Path) -> None:
     site = Site(tmp_path)
 
     def bump(world: World) -> None:
-        piece = site.events[-1].piece  # type: ignore[union-attr]
-        world.pieces[piece] = moved(world.pieces[piece], 0.04)
+        installed = site.events[-1]
+        assert isinstance(installed, ComponentInstalled)
+        world.pieces[installed.piece] = moved(world.pieces[installed.piece], 0.04)
 
-    result = run_project(when(site, "component_installed", bump), site.options())  # type: ignore[arg-type]
+    result = run_project(when(site, "component_installed", bump), site.options())
     assert (result.exit_code, result.is_complete) == (8, False)
     assert "after it was installed" in result.message
 
@@ -309,7 +299,7 @@ def test_a_fact_that_does_not_hold_any_more_is_planned_anew(tmp_path: Path) -> N
     site = Site(tmp_path)
     site.check.refuse_once = FactsChanged(("(accessible piece-1)",))
     assert run_project(site.ports(), site.options()).is_complete
-    texts = [e.reason for e in events_of(site) if e.kind == "proposal_superseded"]  # type: ignore[union-attr]
+    texts = [e.reason for e in events_of(site) if isinstance(e, ProposalSuperseded)]
     assert texts == ["Step 1 relies on what is not so: (accessible piece-1)."]
 
 
@@ -358,9 +348,7 @@ def test_a_question_that_is_not_open_cannot_be_answered(tmp_path: Path) -> None:
 
 def test_a_full_disk_starts_nothing(tmp_path: Path) -> None:
     site = Site(tmp_path)
-    ports = site.ports()
-    object.__setattr__(ports, "min_free_bytes", 1 << 62)
-    result = run_project(ports, site.options())
+    result = run_project(replace(site.ports(), min_free_bytes=1 << 62), site.options())
     assert (result.exit_code, site.world().log) == (8, [])
     assert run_project(site.ports(), site.options()).is_complete
 

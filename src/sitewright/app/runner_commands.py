@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from sitewright.app.recovery import ask_person, raise_question, reconcile, reissue
 from sitewright.app.runner import Run
 from sitewright.app.runner_approval import ask_approval
-from sitewright.app.runner_planning import plan_next, plan_single
+from sitewright.app.runner_planning import finished, plan_next, plan_single
 from sitewright.app.runner_steps import execute, sense, start_step
 from sitewright.central_controller.commands import (
     AskApproval,
@@ -29,7 +29,6 @@ from sitewright.central_controller.commands import (
 from sitewright.central_controller.events import (
     AnyEvent,
     EpochOpened,
-    RunFinished,
     RunHeld,
 )
 
@@ -66,7 +65,6 @@ def perform(  # noqa: C901, PLR0912, PLR0915 -- one line per command
                 run.cell.hold()
             yield RunHeld(reason=reason, exit_code=code)
         case FinishRun():
-            figures = run.cell.ask(run.ports.final_figures)
-            yield RunFinished(is_complete=run.state.site.is_complete, extra=figures)
+            yield finished(run)
         case Stop():
             return

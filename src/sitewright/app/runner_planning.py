@@ -19,10 +19,13 @@ from sitewright.central_controller.events import (
 )
 from sitewright.central_controller.ports import Escalation, NothingToDo, Planned
 from sitewright.central_controller.proposal import Proposal
+from sitewright.foundation.canonical import canonical_json
 from sitewright.foundation.ids import ComponentId
+from sitewright.journal.blobs import write_whole
 from sitewright.robot_team.skill import Skill, SkillCall
 
 _APPROVAL = 7
+_MOST_FIGURES_BYTES = 32_768
 _EFFECT_OF: Mapping[str, str] = {
     Skill.POSITION: "(in-place ",
     Skill.RELEASE: "(standing ",
@@ -52,8 +55,7 @@ def plan_next(run: Run, exclude: frozenset[ComponentId]) -> Iterator[AnyEvent]:
                 timing_s=outcome.timing_s,
             )
         case NothingToDo():
-            figures = run.cell.ask(run.ports.final_figures)
-            yield RunFinished(is_complete=run.state.site.is_complete, extra=figures)
+            yield finished(run)
 
 
 def plan_single(run: Run, call: SkillCall) -> Iterator[AnyEvent]:
@@ -70,6 +72,16 @@ def plan_single(run: Run, call: SkillCall) -> Iterator[AnyEvent]:
             yield AlternativeRefused(call=call, reason=reason)
         case NothingToDo():
             yield AlternativeRefused(call=call, reason="This action is not feasible now.")
+
+
+def finished(run: Run) -> RunFinished:
+    """Return the last event of a run, with what the cell tells at its end."""
+    figures = run.cell.ask(run.ports.final_figures)
+    text = canonical_json(figures)
+    if len(text.encode()) > _MOST_FIGURES_BYTES:
+        write_whole(run.folder.path / "cell_figures.json", text.encode())
+        figures = {"file": "cell_figures.json"}
+    return RunFinished(is_complete=run.state.site.is_complete, extra=figures)
 
 
 def _proposed(run: Run, planned: Planned, *, is_single: bool) -> Iterator[AnyEvent]:

@@ -80,7 +80,7 @@ def next_command(state: CycleState) -> Command:  # noqa: PLR0911 -- one line per
     if state.question is not None:
         return AskPerson(state.question)
     if state.link_losses > MAX_LINK_LOSSES:
-        return HoldRun("The cell was lost again and again.", 10)
+        return HoldRun(f"The cell was lost again and again: {state.link_reason}", 10)
     if state.epoch == 0:
         return Connect()
     if state.flight is not None:
@@ -136,8 +136,9 @@ def folded(  # noqa: PLR0911 -- one line per kind of event
             return _uncertain(
                 replace(state, held=None, replans={}, replan_times_utc_ns=(), link_losses=0)
             )
-        case LinkLost():
-            return _uncertain(replace(state, link_losses=state.link_losses + 1))
+        case LinkLost(reason=reason):
+            losses = state.link_losses + 1
+            return _uncertain(replace(state, link_losses=losses, link_reason=reason))
         case EpochOpened(epoch=epoch):
             return replace(state, epoch=epoch)
         case RunHeld():

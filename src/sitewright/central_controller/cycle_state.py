@@ -61,6 +61,7 @@ class CycleState:
         wish: Call that a person chose instead of the next step.
         why: Why an approval is asked anew.
         replans: Replans per target since the command was last given.
+        link_losses: How often the cell was lost since a skill ended; `link_reason` is the last why.
         rejected: Fingerprints that people refused.
         refusals: Refusals met while planning the open proposal.
         refusal_codes: Exit codes of the targets set aside in this run.
@@ -81,6 +82,7 @@ class CycleState:
     replans: Mapping[ComponentId, int] = field(default_factory=dict)
     replan_times_utc_ns: tuple[int, ...] = ()
     link_losses: int = 0
+    link_reason: str = ""
     rejected: frozenset[str] = frozenset()
     refusals: tuple[RefusalNote, ...] = ()
     refusal_codes: tuple[int, ...] = ()
