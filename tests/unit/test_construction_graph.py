@@ -199,6 +199,18 @@ def test_a_piece_in_a_gripper_is_not_offered() -> None:
     assert offered(graph, "sill") == ["1.2"]
 
 
+@pytest.mark.parametrize(("name", "words"), [("sill", "no piece of stock"), ("1.1", "buried")])
+def test_only_a_top_piece_can_be_moved(name: str, words: str) -> None:
+    with pytest.raises(WrongInstallationError, match=words):
+        move_piece(frame(), ComponentId(name), NOWHERE, Pose())
+
+
+def test_a_queue_of_targets_that_wait_for_each_other_is_an_error() -> None:
+    a, b = component("a", on=["b"]), component("b", on=["a"])
+    with pytest.raises(ValueError, match="wait for each other: a, b"):
+        target_queue(graph_of(model(a, b), CELL))
+
+
 def test_a_consumed_piece_is_gone_and_what_lay_on_it_comes_down() -> None:
     built = model(component("sill", ground=True), stacks=[stock(3)])
     graph = graph_of(built, CELL, SiteChanges(consumed=frozenset(ids("piece-2"))))

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from builders_building import codes, component, ids, model, nail, piece, stock
+from builders_building import STUD_M, codes, component, ids, model, nail, piece, stock
 from sitewright.building_model.component import (
     BoxGeometry,
     Component,
@@ -239,6 +239,28 @@ def test_a_parent_above_carries_nothing() -> None:
         model(lifted, below, stacks=[[piece("p"), piece("q", kind="beam", size_m=SUPPORT_M)]])
     )
     assert codes(found) == ["F2"]
+
+
+def test_a_relation_with_an_unknown_end_is_refused() -> None:
+    a = component("a", ground=True)
+    torn = Relation(kind=RelationKind.CONTACT, a=a.id, b=ids("aa")[0])
+    found = the("P1", check_model(model(a, stacks=[stock(1)], relations=[torn])))
+    assert "'a contact aa'" in found.message
+    assert "Did you mean a?" in found.message
+
+
+def test_an_operation_on_an_unknown_component_is_refused() -> None:
+    driven = nail("n1", on=["stud", "suport"], at_m=(0, 0, 0.02))
+    found = the("P1", check_model(frame(driven)))
+    assert "component 'suport' of operation 'n1' does not exist" in found.message
+
+
+def test_gravity_decides_what_is_below() -> None:
+    a = component("a", ground=True, at_m=(0, 0, 5))
+    b = component("b", on=["a"], at_m=(0, 0.09, 5), size_m=STUD_M)
+    upright = model(a, b, stacks=[stock(2)])
+    assert codes(check_model(upright)) == ["F2"]
+    assert check_model(replace(upright, gravity=(0.0, -9.81, 0.0), ground_z_m=-9.0)) == []
 
 
 def test_source_ids_are_told() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from sitewright.building_model.component import Component, Layer, Operation
@@ -20,10 +20,12 @@ Node = TypeVar("Node", bound=str)
 def reference_problems(model: BuildingModel) -> Iterator[Problem]:
     """Yield unknown references, parents on wrong layers, and cycles."""
     names = Counter(c.name for c in model.component_by_id.values() if c.name)
+    operations = {o.id for c in model.component_by_id.values() for o in c.operations}
     for component in model.component_by_id.values():
         yield from _parents(model, component, names)
         for operation in component.operations:
-            yield from _operation_references(model, component, operation, names)
+            yield from _receivers(model, component, operation, names)
+            yield from _earlier_operations(component, operation, operations)
     yield from _relation_ends(model)
     yield from _cycles(model)
 
@@ -86,14 +88,18 @@ def _parents(
             )
 
 
-def _operation_references(
+def _receivers(
     model: BuildingModel, component: Component, operation: Operation, names: Mapping[str, int]
 ) -> Iterator[Problem]:
     for name in operation.on:
         if name not in model.component_by_id:
             what = f"component {name!r} of operation {operation.id!r}"
             yield _unknown(model, component, what, name, names)
-    known = {o.id for c in model.component_by_id.values() for o in c.operations}
+
+
+def _earlier_operations(
+    component: Component, operation: Operation, known: Collection[str]
+) -> Iterator[Problem]:
     for earlier in operation.after:
         if earlier not in known:
             message = f"Operation {operation.id!r} comes after {earlier!r}, which does not exist."

@@ -110,7 +110,7 @@ class SurfacePatch:
     """A rectangle to be treated: paint and its kin.
 
     Attributes:
-        size_m: Extent along the patch's x and y; its z points out of the surface.
+        size_m: Extent along the operation's x and y, about its origin; strokes run along x.
         standoff_m: Distance of the tool tip from the surface.
         width_m: Width of one stroke.
         speed_m_s: Speed of the tip along a stroke.

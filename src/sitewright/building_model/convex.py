@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from sitewright.foundation.pose import Vector, add, cross, dot, norm, scale, subtract, unit
-from sitewright.foundation.shapes import ConvexPart
+from sitewright.foundation.shapes import Box, ConvexPart
 
 _FLAT_M = 1e-7
 """Points this near to a plane are on it."""
@@ -30,7 +30,21 @@ class Plane:
 
 def planes_of(part: ConvexPart) -> tuple[Plane, ...]:
     """Return the faces of a convex part as half spaces; none if the part is flat."""
+    if isinstance(part, Box):
+        return _box_planes(part) if min(part.size_m) > 0.0 else ()
     return tuple(plane for plane, _ in _faces(part.vertices_m()))
+
+
+def _box_planes(box: Box) -> tuple[Plane, ...]:
+    pose, axes = (
+        box.body_T_box,
+        (box.body_T_box.x_axis, box.body_T_box.y_axis, box.body_T_box.z_axis),
+    )
+    return tuple(
+        Plane(normal := scale(axis, sign), dot(normal, pose.position_m) + size_m / 2.0)
+        for axis, size_m in zip(axes, box.size_m, strict=True)
+        for sign in (1.0, -1.0)
+    )
 
 
 def volume_m3(points_m: Sequence[Vector]) -> float:
