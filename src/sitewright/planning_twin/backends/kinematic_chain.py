@@ -103,8 +103,21 @@ def distinct(postures: Array) -> Array:
 
 
 def matrix_of(pose: Pose) -> Array:
-    """Return a pose as a 4 x 4 array."""
-    return np.array(pose.matrix(), dtype=np.float64)
+    """Return a pose as a 4 x 4 array; the quaternion is brought to length one first.
+
+    A rotation that is scaled by only 1e-6 makes the closed form lose half of its solutions.
+    """
+    w, x, y, z = pose.quaternion_wxyz
+    px, py, pz = pose.position_m
+    s = 2.0 / (w * w + x * x + y * y + z * z)
+    return np.array(
+        (
+            (1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y), px),
+            (s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x), py),
+            (s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y), pz),
+            (0.0, 0.0, 0.0, 1.0),
+        )
+    )
 
 
 def pose_of(matrix: Array) -> Pose:
