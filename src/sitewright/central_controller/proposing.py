@@ -49,6 +49,7 @@ from sitewright.robot_team.cell import Capability
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.grounding import GroundAction
 from sitewright.symbolic_planning.problem import Problem, problem_for
+from sitewright.symbolic_planning.reasons import effects, facts_that_fail, relies_on
 from sitewright.symbolic_planning.site_view import SiteView
 
 GraphOf = Callable[[SiteContext], ConstructionGraph]
@@ -147,15 +148,10 @@ class Proposals:
         """Evaluate what a step relies on, then prove its motions on the scene as sensed."""
         graph = self.graph_of(context)
         site = jobsite_of(self.design, self.shapes, context, self.ports.backends.kinematics)
-        target = self._front(graph, context, frozenset())
-        if target is None:
-            return FactsChanged(facts=step.relies_on)
+        target = self._front(graph, context, frozenset()) or context.site.installed[-1]
         named = tuple(ComponentId(a) for a in step.call.arguments if a in self.shapes)
-        candidates = named or self._pieces(graph, context, target)[0]
-        view = self._view(graph, context, site, target, candidates)
-        problem = problem_for(self.ports.domain, view)
-        holds = {_text(problem, f) for f in problem.init}
-        missing = tuple(f for f in step.relies_on if f not in holds)
+        view = self._view(graph, context, site, target, named)
+        missing = facts_that_fail(step.relies_on, view)
         if missing:
             return FactsChanged(facts=missing)
         proof = recertify(self.ports.backends.certifier, site, step.motions)
@@ -345,24 +341,11 @@ def _timing(watch: Stopwatch, motions: PlannedSequence) -> dict[str, float]:
 
 
 def _relied_on(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:
-    """Return the changeable facts that a step needs, in site ids."""
-    if action is None:
-        return ()
-    fluents = problem.domain.fluents()
-    needed = [f for f in action.needs if f[0] in fluents]
-    return tuple(sorted(_text(problem, f) for f in needed))
+    return () if action is None else relies_on(problem, action)
 
 
 def _effects(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:
-    if action is None:
-        return ()
-    added = [_text(problem, f) for f in action.adds]
-    deleted = [f"(not {_text(problem, f)})" for f in action.deletes]
-    return tuple(sorted(added) + sorted(deleted))
-
-
-def _text(problem: Problem, fact: tuple[str, ...]) -> str:
-    return f"({' '.join(problem.in_site_ids(fact))})"
+    return () if action is None else effects(problem, action)
 
 
 def _contacts(motions: Sequence[PlannedMotion]) -> tuple[tuple[str, str], ...]:
