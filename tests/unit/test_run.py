@@ -206,7 +206,7 @@ def test_a_skill_that_always_fails_ends_in_a_hold(tmp_path: Path) -> None:
 
     class Always(dict[str, str]):
         @override
-        def pop(self, key: str, default: object = "") -> str:  # type: ignore[override]
+        def pop(self, key: str, default: object = "") -> str:
             return "grasp-failed" if key == "grasp" else ""
 
     site.fail = Always()

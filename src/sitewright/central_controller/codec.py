@@ -107,7 +107,7 @@ def _decode_container(origin: Any, arguments: tuple[Any, ...], data: Json, where
 def _decode_mapping(key: Any, value: Any, data: Json, where: str) -> dict[Any, Any]:
     if isinstance(data, Mapping):
         return {_decode(key, k, where): _decode(value, v, f"{where}.{k}") for k, v in data.items()}
-    if not isinstance(data, Sequence) or isinstance(data, str):
+    if get_origin(key) is not tuple or not isinstance(data, Sequence) or isinstance(data, str):
         raise DecodeError(f"{where}: {data!r:.60} is no mapping")
     pairs = [_decode(tuple[key, value], pair, where) for pair in data]
     return dict(pairs)
