@@ -18,6 +18,8 @@ from sitewright.foundation.ids import ComponentId
 
 INSERTION = "insertion"
 """Key of `Component.ext` that tells the way in: ``{"from": [x, y, z], "slide_m": s}``."""
+NEIGHBOUR_M = 0.015
+"""Components that come this near are noted as contacts: no usual clearance fits between."""
 
 
 def infer_assembly(
@@ -124,6 +126,18 @@ def _new_relations(model: BuildingModel, statics: Statics, coming: list[Arrival]
         for arrival in coming
         if arrival.is_hanging
         for parent in arrival.parents
+    ]
+    found += [
+        Relation(
+            kind=RelationKind.CONTACT,
+            a=a,
+            b=b,
+            origin=Origin.INFERRED,
+            data={"gap_m": round(max(0.0, gap_m), 6)},
+        )
+        for a, others in statics.around.items()
+        for b, separation in others.items()
+        if a < b and (gap_m := separation.gap_m()) < NEIGHBOUR_M
     ]
     return sorted(
         (r for r in found if (r.kind, r.a, r.b) not in known), key=lambda r: (r.kind, r.a, r.b)

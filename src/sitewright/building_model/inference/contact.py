@@ -15,7 +15,6 @@ GAP_M = 0.001
 MIN_AREA_M2 = 1e-4
 _ANTIPARALLEL = -0.99985
 """cos of 179 degrees."""
-_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,7 +43,7 @@ def contacts_of(solid_by_id: Mapping[ComponentId, Solid]) -> list[Contact]:
 
 def contact_between(a: ComponentId, one: Solid, b: ComponentId, other: Solid) -> Contact | None:
     """Return the largest face contact of two solids, if they have one."""
-    if not _boxes_meet(one, other):
+    if not one.may_be_near(other, GAP_M):
         return None
     best: Contact | None = None
     for face in one.faces:
@@ -53,14 +52,6 @@ def contact_between(a: ComponentId, one: Solid, b: ComponentId, other: Solid) ->
             if area_m2 > (best.area_m2 if best else MIN_AREA_M2):
                 best = Contact(a=a, b=b, normal=face.plane.normal, area_m2=area_m2)
     return best
-
-
-def _boxes_meet(one: Solid, other: Solid) -> bool:
-    return all(
-        one.lowest_m(axis) <= other.highest_m(axis) + GAP_M
-        and other.lowest_m(axis) <= one.highest_m(axis) + GAP_M
-        for axis in _AXES
-    )
 
 
 def _shared_area_m2(face: Face, facing: Face) -> float:

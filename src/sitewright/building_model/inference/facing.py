@@ -36,6 +36,8 @@ _NEAR_M = 0.30
 _LEANS = 0.2
 _COVERED = 2.0
 _BLOCKED = 4.0
+_ASIDE = 0.3
+_OFFSETS_M = (0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6)
 _FACES = ((1, 1.0), (1, -1.0), (2, 1.0), (2, -1.0))
 _RIGHT_ANGLE = 1.5707963267948966
 
@@ -149,12 +151,19 @@ def _worth(
         and (dot(direction, normal) > _LEANS or abs(dot(direction, closing)) > _LEANS)
     )
     assert isinstance(component.geometry, BoxGeometry)  # noqa: S101 - solids are boxes
-    start = add(pose.position_m, scale(normal, component.geometry.size_m[axis] / 2.0))
+    size_m = component.geometry.size_m
+    surface = add(pose.position_m, scale(normal, size_m[axis] / 2.0))
     others = [statics.solid_by_id[i] for i in statics.solid_by_id if i in built]
     return (
         dot(normal, unit(subtract(shoulder_m, pose.position_m)))
         - _COVERED * covered
-        - (_BLOCKED if _is_blocked(start, normal, others, CORRIDOR_M) else 0.0)
+        - min(
+            _BLOCKED
+            if _is_blocked(add(surface, scale(pose.x_axis, o)), normal, others, CORRIDOR_M)
+            else _ASIDE * abs(o)
+            for o in _OFFSETS_M
+            if o == 0.0 or abs(o) < size_m[0] / 2.0 - _HALF_WIDTH_M
+        )
     )
 
 

@@ -50,8 +50,8 @@ def arrivals(statics: Statics) -> list[Arrival]:
         gone = next(_candidates(statics, present, ways))
         leaving.append((gone, ways[gone]))
         present -= {gone}
-        for neighbour in statics.touching[gone]:
-            ways.pop(neighbour.other, None)
+        for neighbour in statics.around[gone]:
+            ways.pop(neighbour, None)
     return _arrivals(statics, leaving[::-1])
 
 
@@ -78,14 +78,9 @@ def _rank(
 def _way(
     statics: Statics, component: ComponentId, present: frozenset[ComponentId]
 ) -> WayOut | None:
-    neighbours = [
-        (t.normal, statics.solid_by_id[t.other])
-        for t in statics.touching[component]
-        if t.other in present
-    ]
-    below = tuple(-x for x in statics.up)
-    floor = [((below[0], below[1], below[2]), None)] if component in statics.ground else []
-    return way_out(statics.solid_by_id[component], [*neighbours, *floor], statics.up)
+    around = [s for other, s in statics.around[component].items() if other in present]
+    height_m = statics.solid_by_id[component].lowest_m(statics.up) - statics.ground_m
+    return way_out(around, statics.up, height_m)
 
 
 def _arrivals(statics: Statics, coming: list[tuple[ComponentId, WayOut | None]]) -> list[Arrival]:

@@ -12,6 +12,7 @@ from sitewright.foundation.pose import Vector, add, cross, dot, norm, scale, sub
 _ON_PLANE_M = 1e-6
 _SAME_CORNER_M = 1e-6
 _SINGULAR = 1e-9
+_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,14 @@ class Solid:
     def highest_m(self, direction: Vector) -> float:
         """Return the largest coordinate along a direction."""
         return max(dot(direction, c) for c in self.corners_m)
+
+    def may_be_near(self, other: Solid, within_m: float) -> bool:
+        """Whether the boxes around two solids, along the model's axes, come this near."""
+        return all(
+            self.lowest_m(axis) <= other.highest_m(axis) + within_m
+            and other.lowest_m(axis) <= self.highest_m(axis) + within_m
+            for axis in _AXES
+        )
 
     def is_near(self, point_m: Vector, within_m: float) -> bool:
         """Whether a point lies inside, or about `within_m` off (more at corners)."""

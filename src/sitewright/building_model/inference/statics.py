@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import combinations
 
 from sitewright.building_model.component import Layer
 from sitewright.building_model.inference.contact import Contact, contacts_of
+from sitewright.building_model.inference.insertion import AROUND_M
+from sitewright.building_model.inference.separation import Separation, separation_of
 from sitewright.building_model.inference.solid import Solid, solid_of
 from sitewright.building_model.model import BuildingModel, RelationKind
 from sitewright.foundation.ids import ComponentId
@@ -42,6 +45,7 @@ class Statics:
         carriers: Joined components that carry a component from below.
         joined: Components that are connected with it.
         touching: Face contacts of each component.
+        around: Separations of each component from what stands near it when all is built.
     """
 
     up: Vector
@@ -51,6 +55,7 @@ class Statics:
     carriers: Mapping[ComponentId, tuple[Contact, ...]]
     joined: Mapping[ComponentId, frozenset[ComponentId]]
     touching: Mapping[ComponentId, tuple[Touching, ...]]
+    around: Mapping[ComponentId, Mapping[ComponentId, Separation]]
 
     def carriers_of(self, component: ComponentId) -> frozenset[ComponentId]:
         """Return the joined components that carry it from below."""
@@ -116,7 +121,22 @@ def statics_of(model: BuildingModel) -> Statics:
             )
             for i in solids
         },
+        around=_around(solids),
     )
+
+
+def _around(
+    solids: Mapping[ComponentId, Solid],
+) -> dict[ComponentId, dict[ComponentId, Separation]]:
+    found: dict[ComponentId, dict[ComponentId, Separation]] = {i: {} for i in solids}
+    for a, b in combinations(sorted(solids), 2):
+        if not solids[a].may_be_near(solids[b], AROUND_M):
+            continue
+        separation = separation_of(solids[a], solids[b])
+        if separation.gap_m() < AROUND_M:
+            found[a][b] = separation
+            found[b][a] = separation.reversed()
+    return found
 
 
 def _joined(
