@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import socket
@@ -31,7 +32,13 @@ from sitewright.robot_team.drivers.mujoco.codec import (
     report_from_json,
     setup_to_json,
 )
-from sitewright.robot_team.drivers.mujoco.places import OUTPUT_NAME, SETUP_NAME, socket_path
+from sitewright.robot_team.drivers.mujoco.places import (
+    ALREADY_RUNNING,
+    LOCK_NAME,
+    OUTPUT_NAME,
+    SETUP_NAME,
+    socket_path,
+)
 from sitewright.robot_team.drivers.mujoco.service import setup_hash
 from sitewright.robot_team.piece import Piece
 from sitewright.robot_team.skill import SkillCommand
@@ -45,7 +52,7 @@ class MujocoCell:
     """A connection to the simulated cell of one state folder; see `connect`."""
 
     def __init__(self, folder: Path, *, skill_timeout_s: float) -> None:
-        self._path = socket_path(folder)
+        self._folder, self._path = folder, socket_path(folder)
         self._skill_timeout_s = skill_timeout_s
         self._lock = Lock()
         self._socket = _open(self._path, skill_timeout_s)
@@ -89,7 +96,7 @@ class MujocoCell:
         """End the cell's process; what it remembers stays on disk."""
         self._ask("shutdown")
         self.close()
-        _wait_until_gone(self._path)
+        _wait_until_gone(self._folder)
 
     def close(self) -> None:
         """Let the connection go; the cell lives on."""
@@ -137,7 +144,7 @@ def connect(  # noqa: PLR0913 - options of the process
     running = _hello(path)
     if running is not None and (is_fresh or running != setup_hash(setup)):
         _ask_once(path, "shutdown")
-        _wait_until_gone(path)
+        _wait_until_gone(folder)
         running = None
     if is_fresh:
         _put_away(folder / LOG_NAME)
@@ -166,6 +173,7 @@ def _start(folder: Path, idle_s: float) -> None:
         "--idle-s",
         str(idle_s),
     ]
+    found_at = (str(Path(errors.__file__).parents[1]), os.environ.get("PYTHONPATH", ""))
     with (folder / OUTPUT_NAME).open("ab") as output:
         process = subprocess.Popen(  # noqa: S603 - our own module
             command,
@@ -173,11 +181,11 @@ def _start(folder: Path, idle_s: float) -> None:
             stdout=output,
             stderr=output,
             start_new_session=True,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)},
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, found_at))},
         )
     deadline_s = time.monotonic() + _START_TIMEOUT_S
     while _hello(socket_path(folder)) is None:
-        if process.poll() is not None:
+        if process.poll() not in (None, ALREADY_RUNNING):
             said = (folder / OUTPUT_NAME).read_text(errors="replace")[-800:]
             raise BackendError(f"The simulated cell ended with {process.returncode}: {said}")
         if time.monotonic() > deadline_s:
@@ -192,12 +200,19 @@ def _leave_alone(process: subprocess.Popen[bytes]) -> None:
     process.returncode = 0
 
 
-def _wait_until_gone(path: Path) -> None:
+def _wait_until_gone(folder: Path) -> None:
+    """Wait until the lock that a process keeps to its very end is free."""
     deadline_s = time.monotonic() + _ANSWER_TIMEOUT_S
-    while path.exists():
-        if time.monotonic() > deadline_s:
-            raise BackendError("The simulated cell does not end.")
-        time.sleep(_POLL_S)
+    with (folder / LOCK_NAME).open("a") as lock:
+        while True:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                if time.monotonic() > deadline_s:
+                    raise BackendError("The simulated cell does not end.") from None
+                time.sleep(_POLL_S)
+            else:
+                return
 
 
 def _put_away(log: Path) -> None:

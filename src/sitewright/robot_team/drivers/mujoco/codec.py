@@ -42,8 +42,11 @@ _TRAJECTORIES: TypeAdapter[tuple[Trajectory, ...]] = TypeAdapter(tuple[Trajector
 
 
 def setup_to_json(setup: Setup) -> Plain:
-    """Return the set-up as JSON."""
-    return _SETUP.dump_python(setup, mode="json")
+    """Return the set-up as JSON; equal set-ups give equal JSON in every process."""
+    data = _SETUP.dump_python(setup, mode="json")
+    for robot in data["cell"]["robot_by_id"].values():
+        robot["can"] = sorted(robot["can"])
+    return data
 
 
 def setup_from_json(data: Plain) -> Setup:

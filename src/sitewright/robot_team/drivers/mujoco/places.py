@@ -11,6 +11,8 @@ LOCK_NAME = "cell.lock"
 PID_NAME = "cell.pid"
 SETUP_NAME = "cell.setup.json"
 OUTPUT_NAME = "cell.out"
+ALREADY_RUNNING = 9
+"""Exit code of a process that finds the lock taken."""
 _LONGEST_SOCKET_PATH = 100
 """The system allows 107 bytes."""
 

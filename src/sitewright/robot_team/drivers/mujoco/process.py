@@ -25,6 +25,7 @@ from typing_extensions import override
 from sitewright.errors import SitewrightError
 from sitewright.robot_team.drivers.mujoco.codec import Plain, setup_from_json
 from sitewright.robot_team.drivers.mujoco.places import (
+    ALREADY_RUNNING,
     LOCK_NAME,
     PID_NAME,
     SETUP_NAME,
@@ -33,7 +34,6 @@ from sitewright.robot_team.drivers.mujoco.places import (
 )
 from sitewright.robot_team.drivers.mujoco.service import CellService
 
-ALREADY_RUNNING = 9
 _POLL_S = 0.05
 
 

@@ -20,6 +20,7 @@ from sitewright.robot_team.drivers.mujoco.codec import (
     command_from_json,
     observation_to_json,
     report_to_json,
+    setup_from_json,
     setup_to_json,
 )
 from sitewright.robot_team.drivers.mujoco.faults import drop_when_due, nudge_when_due
@@ -31,8 +32,9 @@ from sitewright.robot_team.skill import SkillCommand
 
 
 def setup_hash(setup: Setup) -> str:
-    """Return what tells two set-ups apart."""
-    return sha256_hex(canonical_json(setup_to_json(setup)))
+    """Return what tells two set-ups apart, be it read from the file or made by a client."""
+    as_read = setup_from_json(setup_to_json(setup))
+    return sha256_hex(canonical_json(setup_to_json(as_read)))
 
 
 class CellService:
