@@ -103,6 +103,6 @@ def _operation_label(component: Component, operation: Operation, number: int) ->
 _NOUN: Mapping[Process, str] = {
     Process.NAIL: "nail",
     Process.SCREW: "screw",
-    Process.PAINT: "painted face",
+    Process.PAINT: "face",
     Process.DRILL: "hole",
 }
