@@ -1,0 +1,1 @@
+"""Values and small laws that every other part builds on."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -12,6 +13,8 @@ Matrix3 = tuple[Vector, Vector, Vector]
 Matrix4: TypeAlias = tuple[tuple[float, ...], ...]
 
 _UNIT_TOLERANCE = 1e-6
+_PARALLEL = 1e-6
+_STEEP = 0.9
 
 
 def add(a: Vector, b: Vector) -> Vector:
@@ -128,23 +131,25 @@ class Pose:
         """Build a pose from its x axis and a y direction, which is made orthogonal to it."""
         x = unit(x_axis)
         y = unit(subtract(y_axis, scale(x, dot(x, y_axis))))
-        z = cross(x, y)
-        return Pose(position_m, _quaternion_of(((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))))
+        return Pose(position_m, _quaternion_of(_columns(x, y, cross(x, y))))
 
     @staticmethod
     def from_z_axis(position_m: Vector, z_axis: Vector, x_hint: Vector = (1.0, 0.0, 0.0)) -> Pose:
         """Build a pose whose z axis is given; x is as near to `x_hint` as z allows."""
         z = unit(z_axis)
-        hint = x_hint if norm(cross(z, x_hint)) > 1e-6 * max(norm(x_hint), 1e-12) else (0.0, 1.0, 0.0)
+        is_clear = norm(cross(z, x_hint)) > _PARALLEL * max(norm(x_hint), _PARALLEL)
+        hint = x_hint if is_clear else (0.0, 1.0, 0.0) if abs(z[1]) < _STEEP else (1.0, 0.0, 0.0)
         x = unit(subtract(hint, scale(z, dot(z, hint))))
         return Pose.from_axes(position_m, x, cross(z, x))
 
     @staticmethod
     def from_matrix(rows: Matrix4) -> Pose:
-        """Build a pose from a homogeneous matrix, which must be a rotation within 1e-6."""
-        rotation = tuple(tuple(float(v) for v in row[:3]) for row in rows[:3])
-        position = (float(rows[0][3]), float(rows[1][3]), float(rows[2][3]))
-        return Pose(position, _quaternion_of(rotation))  # type: ignore[arg-type]
+        """Build a pose from a homogeneous matrix; one that is no rotation is a ValueError."""
+        x, y, z, position = (_vector(rows[i][j] for i in range(3)) for j in range(4))
+        lengths = (abs(norm(a) - 1.0) for a in (x, y, z))
+        if not max(*lengths, distance(cross(x, y), z)) <= _UNIT_TOLERANCE:
+            raise ValueError(f"the upper left of {rows} is no rotation")
+        return Pose(position, _quaternion_of(_columns(x, y, z)))
 
     @staticmethod
     def from_rpy(position_m: Vector, rpy_rad: Vector) -> Pose:
@@ -206,18 +211,26 @@ def _rotate(q: Quaternion, v: Vector) -> Vector:
     return add(add(v, scale(t, q[0])), cross(u, t))
 
 
+def _vector(numbers: Iterable[float]) -> Vector:
+    x, y, z = (float(n) for n in numbers)
+    return (x, y, z)
+
+
+def _columns(x: Vector, y: Vector, z: Vector) -> Matrix3:
+    return ((x[0], y[0], z[0]), (x[1], y[1], z[1]), (x[2], y[2], z[2]))
+
+
 def _quaternion_of(r: Matrix3) -> Quaternion:
     """Shepperd's method: divide by the largest of the four squared components."""
-    trace = r[0][0] + r[1][1] + r[2][2]
-    pivots = (trace, r[0][0], r[1][1], r[2][2])
-    k = pivots.index(max(pivots))
-    if k == 0:
-        w = 1.0 + trace
-        q = (w, r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1])
-    elif k == 1:
-        q = (r[2][1] - r[1][2], 1.0 + r[0][0] - r[1][1] - r[2][2], r[0][1] + r[1][0], r[0][2] + r[2][0])
-    elif k == 2:
-        q = (r[0][2] - r[2][0], r[0][1] + r[1][0], 1.0 + r[1][1] - r[0][0] - r[2][2], r[1][2] + r[2][1])
-    else:
-        q = (r[1][0] - r[0][1], r[0][2] + r[2][0], r[1][2] + r[2][1], 1.0 + r[2][2] - r[0][0] - r[1][1])
-    return _normalised(q)
+    diagonal = (r[0][0], r[1][1], r[2][2])
+    trace = sum(diagonal)
+    off = (r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1])
+    if trace >= max(diagonal):
+        return _normalised((1.0 + trace, *off))
+    i = diagonal.index(max(diagonal))
+    j, k = (i + 1) % 3, (i + 2) % 3
+    vector = [0.0, 0.0, 0.0]
+    vector[i] = 1.0 + diagonal[i] - diagonal[j] - diagonal[k]
+    vector[j] = r[i][j] + r[j][i]
+    vector[k] = r[i][k] + r[k][i]
+    return _normalised((off[i], vector[0], vector[1], vector[2]))

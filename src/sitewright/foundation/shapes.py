@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import product
 
 from sitewright.foundation.pose import Pose, Vector
@@ -18,7 +18,7 @@ class Box:
     """
 
     size_m: Vector
-    body_T_box: Pose = Pose()
+    body_T_box: Pose = field(default_factory=Pose)
 
     def vertices_m(self) -> tuple[Vector, ...]:
         """Return the eight corners in the body frame."""

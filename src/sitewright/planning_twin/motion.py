@@ -50,10 +50,7 @@ class JointPath:
     def sha256(self) -> str:
         """Hash of robot, waypoints and thresholds."""
         segments = [
-            [
-                [list(q) for q in s.waypoints_rad],
-                sorted([a, b, tau] for (a, b), tau in s.threshold_m.items()),
-            ]
+            (s.waypoints_rad, sorted((a, b, tau) for (a, b), tau in s.threshold_m.items()))
             for s in self.segments
         ]
         return sha256_hex(canonical_json([self.robot, segments]))

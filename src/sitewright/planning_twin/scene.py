@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from sitewright.foundation.canonical import Json, canonical_json, sha256_hex
 from sitewright.foundation.ids import BodyId, RobotId
 from sitewright.foundation.pose import Pose
-from sitewright.foundation.shapes import Shape
+from sitewright.foundation.shapes import Box, ConvexPart, Hull, Shape
 from sitewright.robot_team.description import Description, Joints
 
 Pair = tuple[str, str]
@@ -96,7 +96,11 @@ class SceneSnapshot:
 
 def _plain(scene: SceneSnapshot) -> dict[str, Json]:
     robots: dict[str, Json] = {
-        robot: [_description_hash(arm.description), _numbers(arm.world_T_base), list(arm.q_rad)]
+        robot: [
+            _description_hash(arm.description),
+            _numbers(arm.world_T_base),
+            _same_text(arm.q_rad),
+        ]
         for robot, arm in scene.robots.items()
     }
     bodies: dict[str, Json] = {
@@ -114,14 +118,33 @@ def _placement(placement: Pose | Attachment) -> Json:
 
 
 def _numbers(pose: Pose) -> list[float]:
-    return [*pose.position_m, *pose.quaternion_wxyz]
+    return _same_text((*pose.position_m, *pose.quaternion_wxyz))
+
+
+def _same_text(numbers: Iterable[float]) -> list[float]:
+    """Return numbers so that equal ones are written alike: 1 as 1.0, -0.0 as 0.0."""
+    return [float(n) + 0.0 for n in numbers]
 
 
 @lru_cache(maxsize=1024)
 def _shape_hash(shape: Shape) -> str:
-    return sha256_hex(repr(shape))
+    return sha256_hex(canonical_json([_plain_part(part) for part in shape]))
+
+
+def _plain_part(part: ConvexPart) -> Json:
+    match part:
+        case Box(size_m=size, body_T_box=pose):
+            return ["box", _same_text(size), _numbers(pose)]
+        case Hull(points_m=points):
+            return ["hull", [_same_text(p) for p in points]]
 
 
 @lru_cache(maxsize=64)
 def _description_hash(description: Description) -> str:
-    return sha256_hex(repr((description.links, description.joints)))
+    links: list[Json] = [[link.name, _shape_hash(link.shape)] for link in description.links]
+    joints: list[Json] = [
+        [j.name, j.kind, j.parent, j.child, _numbers(j.parent_T_joint), _same_text(j.axis)]
+        for j in description.joints
+    ]
+    limits: list[Json] = [_same_text((j.lower_rad, j.upper_rad)) for j in description.joints]
+    return sha256_hex(canonical_json([description.root, description.tip, links, joints, limits]))
