@@ -108,10 +108,7 @@ def test_nails_before_and_after_another_act_are_two_runs() -> None:
 
 def test_a_reason_names_the_robot_that_waits() -> None:
     steps = proposal().steps
-    assert reason(steps, 5, LABELS) == (
-        "because kr120-b needs Transverse stud 1 in place when it "
-        "brings its tool to nail 1 of Transverse stud 1"
-    )
+    assert reason(steps, 5, LABELS) == "because kr120-b needs Transverse stud 1 in place"
     assert reason(steps, 1, LABELS) == ""
 
 

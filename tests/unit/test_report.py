@@ -284,6 +284,7 @@ def test_the_page_shows_every_part(page: str) -> None:
         "Schedule",
         "Construction graph",
         "As built",
+        "Plans",
         "Planning times",
         "Approvals and decisions",
         "Refusals and deviations",

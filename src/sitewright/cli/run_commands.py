@@ -65,7 +65,7 @@ def demo(approve: str, into: Path, is_json: bool) -> int:  # noqa: FBT001 -- cli
     ready = open_demo(into)
     out.note(
         f"The wooden frame in {ready.project.folder}: building model -> construction graph -> PDDL "
-        "-> Fast Downward -> certified motion -> approval -> MuJoCo. This takes some minutes."
+        "-> Fast Downward -> certified motion -> approval -> MuJoCo."
     )
     return _run(ready.project, approve, out, from_design=ready.starts_anew)
 

@@ -77,8 +77,8 @@ def reason(
         book: The language.
 
     Returns:
-        A clause such as ``because kr120-b needs stud 1 in place when it ...``, or nothing if no
-        other robot waits for it.
+        A clause such as ``because kr120-b needs stud 1 in place``, or nothing if no other robot
+        waits for it.
     """
     step = steps[index]
     made = {e for e in step.effects if not e.startswith("(not ")}
@@ -87,8 +87,7 @@ def reason(
         if later.call.robot != step.call.robot:
             need = next((n for f in made_here if (n := _need(f, labels, book))), "")
             if need:
-                act = act_of(later.call, labels, book)
-                return book.because.format(robot=labels.name(later.call.robot), need=need, act=act)
+                return book.because.format(robot=labels.name(later.call.robot), need=need)
         made -= {e.removeprefix("(not ").removesuffix(")") for e in later.effects}
     return ""
 
@@ -96,7 +95,7 @@ def reason(
 def _need(fact: str, labels: Labels, book: Phrasebook) -> str:
     predicate, *arguments = fact.strip("()").split()
     template = book.fact.get(predicate)
-    return template.format(*(_words(a, labels, book) for a in arguments)) if template else ""
+    return template.format(*map(labels.name, arguments)) if template else ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -17,7 +17,7 @@ class Phrasebook:
     Attributes:
         skill: Template by skill, or by ``skill:kind`` of what its first argument is.
         fact: Template by predicate; used in reasons.
-        because: Joins what is needed by whom; ``{need}`` and ``{robot}``, ``{act}``.
+        because: Joins what is needed by whom; ``{need}`` and ``{robot}``.
         run: Template of a folded run, by process; ``{count}`` and ``{target}``.
         of: An operation with its component, ``{operation}`` and ``{component}``.
     """
@@ -59,7 +59,7 @@ ENGLISH = Phrasebook(
         "standing": "{0} standing by itself",
         "fastened": "{0} driven",
         "finished": "{0} painted",
-        "vacant": "{0} free",
+        "vacant": "the way clear",
         "mounted": "{1} on its flange",
         "docked": "{0} at {1}",
         "holding": "{1} in its gripper",
@@ -68,7 +68,7 @@ ENGLISH = Phrasebook(
         "accessible": "{0} uncovered",
         "steadying": "{1} held by {0}",
     },
-    because="because {robot} needs {need} when it {act}",
+    because="because {robot} needs {need}",
     run={
         "nail": ("drives 1 nail into {target}", "drives {count} nails into {target}"),
         "screw": ("drives 1 screw into {target}", "drives {count} screws into {target}"),

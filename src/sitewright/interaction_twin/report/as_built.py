@@ -10,8 +10,9 @@ from sitewright.interaction_twin.report.content import BuiltComponent
 
 
 def built_components(model: BuildingModel, site: SiteState) -> tuple[BuiltComponent, ...]:
-    """Return one row per target, in the order of the design."""
-    return tuple(_row(model, site, target) for target in site.targets)
+    """Return one row per target: first the installed ones as they came, then the others."""
+    others = [t for t in site.targets if t not in site.installed]
+    return tuple(_row(model, site, target) for target in (*site.installed, *others))
 
 
 def _row(model: BuildingModel, site: SiteState, target: ComponentId) -> BuiltComponent:

@@ -54,6 +54,23 @@ class Decision:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class PlanRow:
+    """One proposal that was made.
+
+    Attributes:
+        closest_distance_m: Smallest certified distance of its motions.
+        planning_s: Time that it took to make it.
+    """
+
+    target: ComponentId
+    code: str
+    steps: int
+    duration_s: float
+    closest_distance_m: float | None
+    planning_s: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BuiltComponent:
     """One row of the as-built table.
 
@@ -132,6 +149,7 @@ class RunSummary:
     resumed: int = 0
     planned: tuple[Bar, ...] = ()
     actual: tuple[Bar, ...] = ()
+    plans: tuple[PlanRow, ...] = ()
     decisions: tuple[Decision, ...] = ()
     refusals: tuple[RefusalNote, ...] = ()
     deviations: tuple[str, ...] = ()

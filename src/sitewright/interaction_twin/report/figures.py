@@ -30,6 +30,7 @@ def report_json(summary: RunSummary) -> dict[str, Json]:
             {"pair": [first, second], "skill": skill} for first, second, skill in summary.contacts
         ],
         "deviations": list(summary.deviations),
+        "plans": [asdict(p) for p in summary.plans],
         "decisions": [_decision(d) for d in summary.decisions],
         "as_built": [_built(b) for b in summary.built],
         "hashes": dict(summary.hashes),

@@ -161,7 +161,9 @@ def _node(node: Node, centre: Point) -> str:
         stroke=_STROKE[node.layer],
         stroke_width=1.4,
     )
-    name = shortened(node.label, _BOX - 8.0, char_px=5.7)
+    room, char_px = _BOX - 8.0, 5.7
+    fits = len(node.label) * char_px <= room
+    name = node.label if fits else shortened(node.id, room, char_px=char_px)
     label = text(name, x, y + 4.0, font_size=10.5, text_anchor="middle")
     return element("g", tooltip(words) + box + label)
 

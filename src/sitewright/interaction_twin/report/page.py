@@ -8,7 +8,7 @@ from html import escape
 
 from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.interaction_twin.labels import Labels
-from sitewright.interaction_twin.measures import counted
+from sitewright.interaction_twin.measures import counted, in_millimetres, in_seconds
 from sitewright.interaction_twin.report.cards import (
     figure_cards,
     milliradians,
@@ -46,6 +46,7 @@ def report_page(
             _section("Schedule", _schedule(summary, labels)),
             _section("Construction graph", _graphs(before, after)),
             _section("As built", _as_built(summary, labels)),
+            _section("Plans", _plans(summary, labels)),
             _section("Planning times", _planning(summary.figures)),
             _section("Approvals and decisions", _decisions(summary)),
             _section("Refusals and deviations", _refusals(summary, labels)),
@@ -131,6 +132,22 @@ def _as_built(summary: RunSummary, labels: Labels) -> str:
         for b in summary.built
     )
     return _table(heads, rows, numbers=frozenset({4, 5, 6}))
+
+
+def _plans(summary: RunSummary, labels: Labels) -> str:
+    heads = ("For", "Plan", "Steps", "Duration", "Closest distance", "Planned in")
+    rows = (
+        (
+            labels.name(p.target),
+            p.code,
+            str(p.steps),
+            in_seconds(p.duration_s),
+            in_millimetres(p.closest_distance_m),
+            in_seconds(p.planning_s),
+        )
+        for p in summary.plans
+    )
+    return _table(heads, rows, numbers=frozenset({2, 3, 4, 5}))
 
 
 def _planning(figures: Figures) -> str:

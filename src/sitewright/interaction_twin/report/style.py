@@ -16,7 +16,7 @@ margin:16px 0}
 .figure.bad{border-color:#c0392b;background:#fdf3f2}
 table{border-collapse:collapse;width:100%;font-size:14px}
 th,td{text-align:left;padding:4px 10px 4px 0;border-bottom:1px solid #e3e9f0;vertical-align:top}
-td.n,th.n{text-align:right}
+td.n,th.n{text-align:right;padding-right:22px}
 .picture{overflow-x:auto}.picture svg{max-width:100%;height:auto}
 .two{display:grid;grid-template-columns:1fr 1fr;gap:20px}
 footer{margin-top:40px;color:#5c6b7a;font-size:13px;border-top:1px solid #e3e9f0;padding-top:10px}

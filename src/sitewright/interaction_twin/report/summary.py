@@ -35,7 +35,13 @@ from sitewright.central_controller.ports import RefusalNote, ScopeKind
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.report.as_built import built_components
-from sitewright.interaction_twin.report.content import Decision, Figures, RunSummary, Stamped
+from sitewright.interaction_twin.report.content import (
+    Decision,
+    Figures,
+    PlanRow,
+    RunSummary,
+    Stamped,
+)
 from sitewright.interaction_twin.report.timeline import timeline
 
 _FASTENING = frozenset({Process.NAIL, Process.SCREW})
@@ -82,6 +88,7 @@ def summarise(
         resumed=sum(isinstance(e, RunResumed) for e in events),
         planned=times.planned,
         actual=times.actual,
+        plans=tuple(_plan_row(e) for e in events if isinstance(e, ProposalMade)),
         decisions=_decisions(history),
         refusals=_refusals(events),
         deviations=tuple(f"{e.subject}: {e.what}" for e in events if isinstance(e, DeviationSeen)),
@@ -184,6 +191,18 @@ def _planning_times(events: Sequence[AnyEvent]) -> dict[str, float]:
             for name, spent_s in event.timing_s.items():
                 times[name] = times.get(name, 0.0) + spent_s
     return times
+
+
+def _plan_row(made: ProposalMade) -> PlanRow:
+    distances = [s.closest_distance_m for s in made.steps if s.closest_distance_m is not None]
+    return PlanRow(
+        target=made.target,
+        code=check_code(made.fingerprint),
+        steps=len(made.steps),
+        duration_s=sum(s.duration_s for s in made.steps),
+        closest_distance_m=min(distances, default=None),
+        planning_s=made.timing_s.get("total", 0.0),
+    )
 
 
 def _refusals(events: Sequence[AnyEvent]) -> tuple[RefusalNote, ...]:
