@@ -16,6 +16,7 @@ from sitewright.foundation.mjcf.model import (
     Weld,
 )
 from sitewright.foundation.pose import Pose
+from sitewright.foundation.shapes import Shape
 from sitewright.robot_team.cell import Cell, EndEffector, Robot
 from sitewright.robot_team.description import Description, Joint, JointKind, Link
 from sitewright.robot_team.drivers.mujoco.fixings import Fixings
@@ -36,7 +37,6 @@ class Contents:
 
     Attributes:
         density_kg_m3: Of each piece, so that shape and mass agree.
-        blind_pairs: Bodies of one robot that touch in every posture, by evidence.
     """
 
     cell: Cell
@@ -133,8 +133,8 @@ def _mounted(
     return None if tool is None else tools[tool]
 
 
-def _fixture(name: str, shape: tuple[object, ...], pose: Pose) -> Solid:
-    return Solid(name=name, parent_T_body=pose, shape=shape, friction=_WOOD_FRICTION)  # type: ignore[arg-type]
+def _fixture(name: str, shape: Shape, pose: Pose) -> Solid:
+    return Solid(name=name, parent_T_body=pose, shape=shape, friction=_WOOD_FRICTION)
 
 
 def _piece(piece: Piece, density_kg_m3: float) -> Solid:
