@@ -56,9 +56,15 @@ def _box_gaps(layout: Layout, placed: Array, posture: Indices, a: Indices, b: In
     faces_a = beyond_a - np.einsum("kij,kj->ki", across, half_b)
     faces_b = beyond_b - np.einsum("kij,ki->kj", across, half_a)
     faces = np.maximum(faces_a.max(axis=1), faces_b.max(axis=1))
-    ball_b = np.linalg.norm(np.maximum(beyond_a, 0.0), axis=1) - layout.radius_m[b]
-    ball_a = np.linalg.norm(np.maximum(beyond_b, 0.0), axis=1) - layout.radius_m[a]
+    ball_b = _beyond_box(beyond_a) - layout.radius_m[b]
+    ball_a = _beyond_box(beyond_b) - layout.radius_m[a]
     return np.asarray(np.maximum(faces, np.maximum(ball_a, ball_b)))
+
+
+def _beyond_box(beyond: Array) -> Array:
+    """Return the signed distance of points from boxes, given how far they are past the faces."""
+    outside = np.linalg.norm(np.maximum(beyond, 0.0), axis=1)
+    return np.asarray(outside + np.minimum(beyond.max(axis=1), 0.0))
 
 
 class DistanceEngine:
