@@ -43,10 +43,11 @@ from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.planning_twin.recheck import recertify
 from sitewright.planning_twin.refusal import StaleCertificate
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal, plan_sequence
+from sitewright.planning_twin.skill_motions.stage import with_opening
 from sitewright.planning_twin.study import Study, study
 from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import Capability
-from sitewright.robot_team.skill import SkillCall
+from sitewright.robot_team.skill import Skill, SkillCall
 from sitewright.symbolic_planning.grounding import GroundAction
 from sitewright.symbolic_planning.problem import Problem, problem_for
 from sitewright.symbolic_planning.reasons import effects, facts_that_fail, relies_on
@@ -154,6 +155,9 @@ class Proposals:
         missing = facts_that_fail(step.relies_on, view)
         if missing:
             return FactsChanged(facts=missing)
+        opening = step.params.get("aperture_m") if step.call.skill == Skill.REACH else None
+        if isinstance(opening, float):
+            site = with_opening(site, step.call.robot, opening)
         proof = recertify(self.ports.backends.certifier, site, step.motions)
         return proof if isinstance(proof, StaleCertificate) else StillClear(proof)
 

@@ -92,6 +92,8 @@ def _after_act(context: SiteContext, step: ProposedStep, target: ComponentId) ->
             )
         case Skill.POSITION:
             return _placed(context, step, target)
+        case Skill.REACH if "aperture_m" in params:
+            return _with_robot(context, call.robot, aperture_m=params["aperture_m"])
         case Skill.RELEASE:
             return _with_robot(context, call.robot, gripped=None, aperture_m=params["aperture_m"])
         case Skill.SET_DOWN:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from sitewright.building_model.component import Component, Layer, Operation, Process
@@ -15,13 +15,14 @@ from sitewright.construction_graph.graph import (
     MaterialNode,
     TargetNode,
 )
+from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import Pose, Vector, scale
 from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import ArmState, Jobsite, PieceShape
 from sitewright.planning_twin.motion import Kinematics
-from sitewright.planning_twin.task import UP, Task
+from sitewright.planning_twin.task import Insertion, Task
 from sitewright.robot_team.cell import Cell, StationKind
 from sitewright.robot_team.driver import RobotObservation
 from sitewright.symbolic_planning.site_index import preparation_place
@@ -29,6 +30,8 @@ from sitewright.symbolic_planning.site_view import PlaceId, RobotStatus
 
 _AT_HOME_RAD = 0.02
 _LEVEL = 0.2
+INSERTION = "insertion"
+"""Key of `Component.ext` for the way in: ``{"from": [x, y, z], "slide_m": s}``, model frame."""
 _TOUCHING_M = 0.002
 _FASTENING = (Process.NAIL, Process.SCREW, Process.DRILL)
 
@@ -140,7 +143,7 @@ def task_of(
         candidates=candidates,
         touches=_touches(design, context, component),
         rests_on=_rests_on(design, context, component),
-        insertions=_insertions(world_T_target),
+        insertions=_insertions(design, component, world_T_target),
         lies_on={c: _lies_on(design, graph, context, c) for c in candidates},
         spots=tuple(
             spot_of(context, target, o, world_T_target)
@@ -228,11 +231,25 @@ def _fixtures_at(cell: Cell, shape: Shape, world_T_shape: Pose) -> tuple[BodyId,
     return tuple(found)
 
 
-def _insertions(world_T_target: Pose) -> tuple[Vector, ...]:
-    """Return the world directions that a piece may come from: above first, then its own sides."""
+def _insertions(
+    design: Design, component: Component, world_T_target: Pose
+) -> tuple[Insertion, ...]:
+    """Return the ways in: the stated or inferred one, else from above, then from its own sides."""
+    stated = component.ext.get(INSERTION)
+    if isinstance(stated, Mapping):
+        come_from = design.cell.world_T_model.turn(_vector(stated["from"]))
+        return (Insertion(come_from=come_from, slide_m=float(str(stated["slide_m"]))),)
     axes = (world_T_target.x_axis, world_T_target.y_axis, world_T_target.z_axis)
     sides = [scale(axis, sign) for axis in axes for sign in (1.0, -1.0)]
-    return (UP, *(s for s in sides if -_LEVEL < s[2] < 1.0 - _LEVEL))
+    level = [Insertion(come_from=s) for s in sides if -_LEVEL < s[2] < 1.0 - _LEVEL]
+    return (Insertion(), *level)
+
+
+def _vector(value: Json) -> Vector:
+    if not isinstance(value, Sequence) or isinstance(value, str):
+        raise TypeError(f"{value!r} is no direction")
+    x, y, z = (float(str(v)) for v in value)
+    return (x, y, z)
 
 
 def _lies_on(

@@ -33,6 +33,8 @@ class Touch:
         back_off: World direction, from contact to pre-pose.
         near_m: Thresholds on the last stretch: declared contacts and neighbours.
         free_m: Thresholds on the rest: contacts that do not move, if any.
+        distance_m: From contact to pre-pose.
+        near_length_m: Length of the last stretch; longer where a piece slides between others.
         label: Freedoms chosen, for people: ``tilt 2.5 deg to +x``.
     """
 
@@ -41,6 +43,7 @@ class Touch:
     near_m: Mapping[Pair, float] = field(default_factory=dict)
     free_m: Mapping[Pair, float] = field(default_factory=dict)
     distance_m: float = PRE_M
+    near_length_m: float = NEAR_M
     label: str = ""
 
 
@@ -135,12 +138,13 @@ def approaches(
 
 def straight_approach(reaching: Reaching, touch: Touch, contact_rad: Joints) -> Approach | NoIk:
     """Return the line from the pre-pose into one contact posture; collisions are not looked at."""
-    near_pose = lifted(touch.world_T_tip, touch.back_off, min(NEAR_M, touch.distance_m))
+    near_length_m = min(touch.near_length_m, touch.distance_m)
+    near_pose = lifted(touch.world_T_tip, touch.back_off, near_length_m)
     near = reaching.line(touch.world_T_tip, near_pose, contact_rad)
     if isinstance(near, NoIk):
         return near
     segments = [PathSegment(waypoints_rad=near[::-1], threshold_m=dict(touch.near_m))]
-    if touch.distance_m > NEAR_M:
+    if touch.distance_m > near_length_m:
         pre_pose = lifted(touch.world_T_tip, touch.back_off, touch.distance_m)
         free = reaching.line(near_pose, pre_pose, near[-1])
         if isinstance(free, NoIk):

@@ -17,6 +17,19 @@ UP: Vector = (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Insertion:
+    """A straight way in to a target.
+
+    Attributes:
+        come_from: World direction, from the target pose to where the piece comes from.
+        slide_m: So far from its place it still slides along its neighbours.
+    """
+
+    come_from: Vector = UP
+    slide_m: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
     """One target, placed in the world, with everything that the graph says about it.
 
@@ -24,7 +37,8 @@ class Task:
         candidates: Pieces that may become it.
         touches: Bodies that the placed piece touches: construction parents and joined
             neighbours that stand already, or the fixture under it.
-        insertions: World directions that the piece may come *from*, best first.
+        rests_on: Those of them that carry it, and must be felt once it is placed.
+        insertions: Ways in, best first.
         lies_on: What each piece lies on now: the piece or fixture below, and what stands beside.
         spots: Its fasteners and finishes.
         hold_until: So many fasteners must be driven before the robot lets go.
@@ -36,7 +50,8 @@ class Task:
     world_T_target: Pose
     candidates: tuple[ComponentId, ...]
     touches: tuple[BodyId, ...]
-    insertions: tuple[Vector, ...] = (UP,)
+    rests_on: tuple[BodyId, ...] = ()
+    insertions: tuple[Insertion, ...] = (Insertion(),)
     lies_on: Mapping[ComponentId, tuple[BodyId, ...]] = field(default_factory=dict)
     spots: tuple[Spot, ...] = ()
     hold_until: int = 0

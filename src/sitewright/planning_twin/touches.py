@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from sitewright.foundation.ids import BodyId, ComponentId
-from sitewright.foundation.pose import Pose, Vector, scale
-from sitewright.planning_twin.approach import CONTACT_M, NEIGHBOUR_M, Touch
+from sitewright.foundation.pose import Pose, scale
+from sitewright.planning_twin.approach import CONTACT_M, NEAR_M, NEIGHBOUR_M, PRE_M, Touch
 from sitewright.planning_twin.fastening import ToolPose
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import bodies_of_tool
-from sitewright.planning_twin.task import UP, Task, declared
+from sitewright.planning_twin.task import Insertion, Task, declared
 from sitewright.robot_team.cell import EndEffector
 from sitewright.robot_team.gripper import mount_T_tcp
+
+_FROM_ABOVE = Insertion()
 
 
 def pick_touch(task: Task, tool: EndEffector, piece: ComponentId, at: Pose, grasp: Grasp) -> Touch:
@@ -40,7 +42,7 @@ def lift_thresholds(
 
 
 def place_touch(
-    task: Task, tool: EndEffector, piece: ComponentId, grasp: Grasp, insertion: Vector
+    task: Task, tool: EndEffector, piece: ComponentId, grasp: Grasp, insertion: Insertion
 ) -> Touch:
     """Return the held piece's contact with its neighbours at the target pose."""
     return set_down_touch(
@@ -55,13 +57,15 @@ def set_down_touch(
     grasp: Grasp,
     *,
     touches: tuple[BodyId, ...],
-    insertion: Vector = UP,
+    insertion: Insertion = _FROM_ABOVE,
 ) -> Touch:
     """Return the held piece's contact with what it is set down on."""
     world_T_tcp = world_T_piece @ grasp.piece_T_tcp
     return Touch(
         world_T_tip=world_T_tcp @ mount_T_tcp(tool.description).inverse(),
-        back_off=insertion,
+        back_off=insertion.come_from,
+        near_length_m=NEAR_M + insertion.slide_m,
+        distance_m=PRE_M + insertion.slide_m,
         near_m={
             **declared(NEIGHBOUR_M, bodies_of_tool(tool), touches),
             **declared(CONTACT_M, (BodyId(piece),), touches),

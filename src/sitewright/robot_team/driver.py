@@ -3,7 +3,8 @@
 Parameters by skill (`SkillCommand.params`; ids are those of physical pieces, i.e. of the
 material component, also after installation; poses are ``{"p_m": [..], "q_wxyz": [..]}``):
 
-reach, retract        none; one trajectory.
+reach, retract        ``aperture_m``: the empty gripper opens to it first (optional); one
+                      trajectory, or none where the robot leaves a place without contact.
 grasp                 ``piece``, ``width_m`` expected aperture, ``tolerance_m``.
 position              ``piece``, ``world_T_piece`` wanted, ``tolerance_m``, ``tolerance_rad``,
                       ``rests_on``: pieces or fixtures that it must touch. Nothing moves; the

@@ -64,7 +64,7 @@ def plan_position(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
         "world_T_piece": pose_json(task.world_T_target),
         "tolerance_m": _POSE_TOLERANCE_M,
         "tolerance_rad": _ANGLE_TOLERANCE_RAD,
-        "rests_on": list(task.touches),
+        "rests_on": list(task.rests_on),
     }
     site = replace(
         stage.site,

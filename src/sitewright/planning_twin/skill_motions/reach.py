@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, RobotId, StationId
 from sitewright.foundation.pose import Pose, translation
 from sitewright.planning_twin.approach import Approach, Reaching, Touch
@@ -19,6 +20,7 @@ from sitewright.planning_twin.skill_motions.stage import (
     SkillRefusal,
     Stage,
     with_joints,
+    with_opening,
 )
 from sitewright.planning_twin.skill_motions.tool_change import above_dock
 from sitewright.planning_twin.touches import pick_touch, place_touch, set_down_touch, spot_touch
@@ -26,15 +28,35 @@ from sitewright.robot_team.cell import StationKind
 from sitewright.robot_team.skill import Skill, SkillCall
 from sitewright.symbolic_planning.site_index import preparation_place
 
+_SAME_OPENING_M = 0.001
+
 
 def plan_reach(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
-    """Plan the motion to a place; which contact pose it means follows from what comes next."""
+    """Plan the motion to a place; which contact pose it means follows from what comes next.
+
+    An empty gripper opens for the piece that it is going to take before it moves.
+    """
     (place,) = call.arguments
+    opening_m = _opening_for(stage, call.robot, place)
+    params: dict[str, Json] = {}
+    if opening_m is not None:
+        params["aperture_m"] = opening_m
+        stage = stage.at(with_opening(stage.site, call.robot, opening_m))
     found = _motion(stage, call.robot, place)
     if not isinstance(found, PlannedMotion):
         return SkillRefusal(call=call, refusal=found)
     site = with_joints(stage.site, call.robot, found.timed.path.end_rad)
-    return PlannedSkill(motions=(found,), params={}, site_after=site)
+    return PlannedSkill(motions=(found,), params=params, site_after=site)
+
+
+def _opening_for(stage: Stage, robot: RobotId, place: str) -> float | None:
+    """Return how far an empty gripper must open for its next piece; None if it need not move."""
+    arm = stage.site.arms[robot]
+    piece = None if arm.held is not None else _piece_to_grasp(stage, robot, place)
+    holding = None if piece is None else stage.holding(robot, piece)
+    if holding is None or abs(arm.aperture_m - holding.grasp.open_m) < _SAME_OPENING_M:
+        return None
+    return holding.grasp.open_m
 
 
 def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Refusal:

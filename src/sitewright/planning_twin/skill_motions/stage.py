@@ -150,6 +150,12 @@ def with_joints(site: Jobsite, robot: RobotId, q_rad: Joints) -> Jobsite:
     return replace(site, arms={**site.arms, robot: arm})
 
 
+def with_opening(site: Jobsite, robot: RobotId, aperture_m: float) -> Jobsite:
+    """Return the site with a robot's gripper opened or closed."""
+    arm = replace(site.arms[robot], aperture_m=aperture_m)
+    return replace(site, arms={**site.arms, robot: arm})
+
+
 def attached_to(scene: SceneSnapshot, robot: RobotId) -> tuple[BodyId, ...]:
     """Return the bodies that a robot carries."""
     return tuple(
