@@ -8,16 +8,11 @@ from dataclasses import dataclass, field, replace
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.approach import Reaching
 from sitewright.planning_twin.fastening import Spot, tool_poses
-from sitewright.planning_twin.holding import (
-    Holding,
-    alone,
-    can_drive,
-    find_holding,
-    held_site,
-    steadying,
-)
+from sitewright.planning_twin.grasp_trial import alone
+from sitewright.planning_twin.holding import find_holding, steadying
 from sitewright.planning_twin.jobsite import Jobsite, scene_of, tool_for, with_tool, world_T_dock
 from sitewright.planning_twin.refusal import NoIk, Refusal
+from sitewright.planning_twin.tacking import Holding, can_drive, held_site
 from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import Capability, EndEffectorKind, Robot, StationKind
 from sitewright.robot_team.skill import Skill

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import partial
 
@@ -25,10 +26,12 @@ from sitewright.planning_twin.skill_motions.stage import (
 from sitewright.planning_twin.skill_motions.tool_change import above_dock
 from sitewright.planning_twin.touches import pick_touch, place_touch, set_down_touch, spot_touch
 from sitewright.robot_team.cell import StationKind
+from sitewright.robot_team.description import Joints
 from sitewright.robot_team.skill import Skill, SkillCall
 from sitewright.symbolic_planning.site_index import preparation_place
 
 _SAME_OPENING_M = 0.001
+_SAME_BRANCH_RAD = 0.01
 
 
 def plan_reach(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -68,14 +71,35 @@ def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Refusal
     touches = _touches(stage, robot, place)
     if not isinstance(touches, list | Iterator):
         return touches
-    spot = stage.context.task.spot(place)
-    found = reach_any(stage, robot, touches, serves=partial(_serves, spot))
+    found = reach_any(stage, robot, touches, serves=partial(_serves, stage, robot, place))
     return found[0] if isinstance(found, tuple) else found
 
 
-def _serves(spot: Spot | None, reaching: Reaching, approach: Approach) -> bool:
-    """Tell whether the strokes of a finish can follow; other places ask for nothing more."""
-    return spot is None or spot.patch is None or covers_patch(reaching, spot, approach)
+def _serves(
+    stage: Stage, robot: RobotId, place: str, reaching: Reaching, approach: Approach
+) -> bool:
+    """Tell whether what follows can be done from a contact posture.
+
+    A pick and a placement use the branch that the batch check proved for lifting and letting
+    go; a finish must allow all its strokes.
+    """
+    spot = stage.context.task.spot(place)
+    if spot is not None:
+        return spot.patch is None or covers_patch(reaching, spot, approach)
+    held = stage.site.arms[robot].held
+    piece = held or _piece_to_grasp(stage, robot, place)
+    holding = None if piece is None else stage.holding(robot, piece)
+    if holding is None:
+        return True
+    wanted = holding.pick_rad if held is None else holding.hold_rad
+    is_placement = held is None or place == stage.context.task.target
+    return not is_placement or wanted is None or _is_same_branch(approach.contact_rad, wanted)
+
+
+def _is_same_branch(a: Joints, b: Joints) -> bool:
+    """Tell whether two postures are equal but for full turns."""
+    turns = (abs(math.remainder(x - y, 2.0 * math.pi)) for x, y in zip(a, b, strict=True))
+    return max(turns) < _SAME_BRANCH_RAD
 
 
 def _touches(stage: Stage, robot: RobotId, place: str) -> Iterator[Touch] | list[Touch] | Refusal:

@@ -9,12 +9,12 @@ from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.approach import CONTACT_M, Reaching
-from sitewright.planning_twin.holding import Holding
 from sitewright.planning_twin.jobsite import Jobsite, bodies_of_tool, scene_of
 from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.planning_twin.refusal import Refusal
 from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot
 from sitewright.planning_twin.study import Study
+from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
