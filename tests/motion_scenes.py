@@ -8,10 +8,13 @@ from functools import lru_cache
 from sitewright.foundation.ids import BodyId, RobotId
 from sitewright.foundation.pose import Pose, rotation, translation
 from sitewright.foundation.shapes import Box
+from sitewright.planning_twin.backends.opw_kinematics import OpwKinematics
 from sitewright.planning_twin.scene import Attachment, Body, RobotInScene, SceneSnapshot
+from sitewright.planning_twin.straight import straight_line
 from sitewright.robot_team.description import Description, Joints
 from sitewright.robot_team.formats.urdf import read_urdf
 from sitewright.robot_team.gripper import finger_parts, palm_shape, shape_at
+from sitewright.robot_team.kinematics import tip_pose
 from sitewright.robot_team.models.catalogue import builtin_end_effector, builtin_robot
 
 A = RobotId("a")
@@ -92,3 +95,20 @@ def held_stud(robot: RobotId = A) -> Body:
     """A stud held across the gripper at its middle."""
     tip_T_stud = translation(0.0, 0.0, 0.24) @ QUARTER
     return box("held", STUD, Attachment(robot, tip_T_stud))
+
+
+def lowering(by_m: float) -> tuple[SceneSnapshot, tuple[Joints, ...], tuple[Joints, ...]]:
+    """A held stud that is set down on a table: the scene, the way to 3 cm above, the last 3 cm."""
+    scene = one_arm(held_stud())
+    tip = tip_pose(kr120(), HOME)
+    level = Pose.from_z_axis(tip.position_m, (0.0, 0.0, -1.0), tip.x_axis)
+    down = translation(0.0, 0.0, -by_m) @ level
+    near = translation(0.0, 0.0, 0.03) @ down
+    kinematics = OpwKinematics()
+    approach = straight_line(kinematics, scene.robots[A], level, near, HOME)
+    assert isinstance(approach, tuple)
+    last = straight_line(kinematics, scene.robots[A], near, down, approach[-1])
+    assert isinstance(last, tuple)
+    top_m = down.apply((0.0, 0.0, 0.24 + STUD[2] / 2.0))[2]
+    table = box("table", (1.0, 2.0, 0.2), translation(1.4, 0.0, top_m - 0.1))
+    return scene.with_body(table), approach, last

@@ -8,17 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from motion_scenes import HOME, STUD, A, B, box, held_stud, kr120, one_arm, two_arms
+from motion_scenes import HOME, STUD, A, B, box, held_stud, kr120, lowering, one_arm, two_arms
 from sitewright.foundation.ids import BodyId
 from sitewright.foundation.pose import Pose, rotation, translation
 from sitewright.planning_twin.backends.certifier import ConservativeAdvancement
 from sitewright.planning_twin.backends.collision_check import CoalCollisionCheck
-from sitewright.planning_twin.backends.opw_kinematics import OpwKinematics
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.motion import Certificate, JointPath, PathSegment
 from sitewright.planning_twin.refusal import NotClear
 from sitewright.planning_twin.scene import Attachment, Body, Pair, SceneSnapshot
-from sitewright.planning_twin.straight import straight_line
 from sitewright.robot_team.description import Joints
 from sitewright.robot_team.kinematics import tip_pose
 
@@ -121,29 +119,6 @@ def test_closest_distance_is_a_lower_bound_close_to_the_truth() -> None:
 def _telling(scene: SceneSnapshot, q: Joints) -> bool:
     """Tell whether any pair but those across one joint is within the clearance."""
     return bool(CHECK.violations(scene, A, q, {}))
-
-
-def lowering(by_m: float) -> tuple[SceneSnapshot, tuple[Joints, ...], tuple[Joints, ...]]:
-    """A held stud above a table, the lines of its last 3 cm and of the rest."""
-    scene = one_arm(held_stud())
-    tip = tip_pose(kr120(), HOME)
-    bottom = tip.apply((0.0, 0.0, 0.24 + STUD[2] / 2.0))[2]
-    tilt = tip.z_axis
-    assert tilt[2] < -0.9
-    level = Pose.from_axes(tip.position_m, tip.x_axis, (0.0, 1.0, 0.0))
-    level = Pose.from_z_axis(level.position_m, (0.0, 0.0, -1.0), tip.x_axis)
-    down = translation(0.0, 0.0, -by_m) @ level
-    near = translation(0.0, 0.0, 0.03) @ down
-    kinematics = OpwKinematics()
-    arm = scene.robots[A]
-    approach = straight_line(kinematics, arm, level, near, HOME)
-    assert isinstance(approach, tuple)
-    last = straight_line(kinematics, arm, near, down, approach[-1])
-    assert isinstance(last, tuple)
-    top = down.apply((0.0, 0.0, 0.24 + STUD[2] / 2.0))[2]
-    assert top < bottom
-    table = box("table", (1.0, 2.0, 0.2), translation(1.4, 0.0, top - 0.1))
-    return scene.with_body(table), approach, last
 
 
 def test_placing_at_gap_zero_is_certified_only_as_a_declared_contact() -> None:
