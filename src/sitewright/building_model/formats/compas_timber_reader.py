@@ -9,6 +9,7 @@ import json
 import os
 import sys
 from collections.abc import Iterator
+from importlib.util import find_spec
 from typing import Any
 
 from sitewright.building_model.formats.import_process import limit_own_resources
@@ -114,12 +115,16 @@ def _values(document: Any) -> Iterator[tuple[int, Any]]:  # noqa: ANN401
 
 
 def _load(path: str) -> Any:  # noqa: ANN401 - untyped library
+    if find_spec("compas_timber") is None:
+        raise UnreadableError(
+            "E2", "compas_timber is not installed.", "Run: pip install 'sitewright[timber]'"
+        )
     try:
         import compas
         from compas_timber.model import TimberModel
-    except ImportError:
+    except ImportError as error:  # also what little memory looks like
         raise UnreadableError(
-            "E2", "compas_timber is not installed.", "Run: pip install 'sitewright[timber]'"
+            "E2", f"the reader cannot load compas_timber: {error}.", "Reinstall it, or free memory."
         ) from None
     try:
         model = compas.json_load(path)

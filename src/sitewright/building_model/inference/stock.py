@@ -34,8 +34,8 @@ class StockLayout:
             for side in "ab"
         }
     )
-    piles_per_place: int = 4
-    pitch_m: float = 0.30
+    piles_per_place: int = 5
+    pitch_m: float = 0.26
 
 
 @dataclass(slots=True)
