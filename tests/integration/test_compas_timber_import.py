@@ -240,7 +240,7 @@ def test_every_beam_without_thickness_is_told(file: Path, tmp_path: Path) -> Non
         import_compas_timber(broken, "mm")
     flat = [p for p in rejected.value.problems if p.severity == "E"]
     assert len(flat) == file.read_text().count('"width": 60')
-    assert {p.code for p in flat} == {"G2"}
+    assert {p.code for p in flat} == {"G6"}
     assert all("blank has the size" in p.message for p in flat)
 
 
@@ -251,7 +251,7 @@ def test_a_missing_file_is_one_clear_error(tmp_path: Path) -> None:
 def test_a_file_that_is_no_text_is_one_clear_error(file: Path, tmp_path: Path) -> None:
     broken = tmp_path / "broken.json"
     broken.write_bytes(file.read_bytes()[:5000] + b"\xff\xfe" + file.read_bytes()[5000:])
-    assert refusal(broken).code == "E2"
+    assert refusal(broken).code == "E5"
 
 
 def test_a_reader_without_memory_is_told(file: Path) -> None:

@@ -135,7 +135,7 @@ def _part_problems(records: _Records) -> list[Problem]:
     known = set(count)
     problems = [
         Problem(
-            code="N1",
+            code="D1",
             severity="E",
             where=guid,
             message=f"{n} beams have this id.",
@@ -171,7 +171,7 @@ def _geometry_problems(part: _Part) -> list[Problem]:
     if not wrong:
         return []
     fix = "Repair the beam in the model."
-    return [Problem(code="G2", severity="E", where=part.guid, message=wrong, fix=fix)]
+    return [Problem(code="G6", severity="E", where=part.guid, message=wrong, fix=fix)]
 
 
 def _losses(records: _Records) -> list[Problem]:
@@ -185,7 +185,7 @@ def _losses(records: _Records) -> list[Problem]:
     ]
     losses += [("joinery", text, "Repair the joint.") for text in records.joinery_errors]
     return [
-        Problem(code="G6", severity="W", where=where, message=message, fix=fix)
+        Problem(code="G7", severity="W", where=where, message=message, fix=fix)
         for where, message, fix in losses
     ]
 

@@ -65,7 +65,7 @@ def _parse(path: str) -> Any:  # noqa: ANN401 - JSON of a stranger
             text = file.read()
             document = json.loads(text, parse_constant=_no_constant)
         except UnicodeDecodeError as error:
-            raise UnreadableError("E2", f"it is no UTF-8 text: {error}.", "Export again.") from None
+            raise UnreadableError("E5", f"it is no UTF-8 text: {error}.", "Export again.") from None
         except RecursionError:
             raise UnreadableError("E2", "it is nested too deeply.", "Export it again.") from None
         except json.JSONDecodeError as error:
@@ -83,7 +83,7 @@ def _broken(error: json.JSONDecodeError, text: str) -> UnreadableError:
         return UnreadableError(
             "E4", f"it is cut off at {place} (the JSON does not end).", "Copy or export it again."
         )
-    return UnreadableError("E2", f"it is no JSON at {place}: {error.msg}.", "Export it again.")
+    return UnreadableError("E5", f"it is no JSON at {place}: {error.msg}.", "Export it again.")
 
 
 def _demand_trusted(document: Any) -> None:  # noqa: ANN401 - JSON of a stranger

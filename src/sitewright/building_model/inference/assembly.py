@@ -185,7 +185,7 @@ def _problems(
     ]
     problems += [
         _problem(
-            "G3", "W", c, "it is no box and was not looked at.", "State its parents and order."
+            "G7", "W", c, "it is no box and was not looked at.", "State its parents and order."
         )
         for i, c in targets.items()
         if i not in statics.solid_by_id
