@@ -16,7 +16,8 @@ from sitewright.planning_twin.sequence import (
     plan_sequence,
 )
 from sitewright.planning_twin.skill_motions.stage import PlannedSkill
-from sitewright.planning_twin.study import Study
+from sitewright.planning_twin.study import Study, with_another_grasp
+from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.domain import Domain
@@ -26,6 +27,8 @@ from sitewright.symbolic_planning.site_view import SiteView
 
 MOST_ROUNDS = 30
 """So many plans are refused by geometry before a person is asked."""
+_MOST_GRASPS = 8
+"""So many grasps of a piece have their motions planned before another way is looked for."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,6 +99,7 @@ def plan_target(
     target = context.task.target
     notes = [_study_note(target, r.fact, in_words(r.refusal), r.refusal) for r in study.refusals]
     geometry, lessons = study.facts, Lessons()
+    tried: list[Holding] = []
     start = {robot: status.place for robot, status in view.robot_status.items()}
     known: tuple[tuple[SkillCall, PlannedSkill], ...] = ()
     problem = problem_for(ports.domain, replace(view, geometry=geometry))
@@ -120,6 +124,11 @@ def plan_target(
                 problem=problem, sequence=sequence, motions=result, notes=tuple(notes)
             )
         notes.append(_note(target, result))
+        regrasped = _another_grasp(context, study, result, tried)
+        if regrasped is not None:
+            study, known = regrasped, ()
+            geometry = replace(geometry, tacks=study.facts.tacks)
+            continue
         lesson = learn(geometry, result, lessons, target)
         if lesson is None:
             return _stuck(problem, notes)
@@ -132,6 +141,25 @@ def plan_target(
         is_limit=True,
         notes=tuple(notes),
     )
+
+
+def _another_grasp(
+    context: TwinContext, study: Study, refused: SequenceRefusal, tried: list[Holding]
+) -> Study | None:
+    """Return the study with the next grasp, if the refused motion depends on one.
+
+    A robot in the way is a matter of order, and a fastener's pose of the tool's tilt.
+    """
+    call = refused.call
+    is_elsewhere = any(context.task.spot(a) is not None for a in call.arguments)
+    holding = next((h for (r, _), h in study.holdings.items() if r == call.robot), None)
+    if holding is None or is_elsewhere or refused.blocking_robot is not None:
+        return None
+    if len(tried) >= _MOST_GRASPS or context.task.placed is not None:
+        return None
+    tried.append(holding)
+    mine = tuple(h for h in tried if (h.robot, h.piece) == (holding.robot, holding.piece))
+    return with_another_grasp(context, study, holding, mine)
 
 
 def _still_valid(

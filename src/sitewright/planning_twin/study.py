@@ -90,6 +90,26 @@ def study(context: TwinContext, lies_at: Mapping[ComponentId, PlaceId]) -> Study
     return Study(facts=_with_times(facts), holdings=holdings, refusals=tuple(refusals))
 
 
+def with_another_grasp(
+    context: TwinContext, studied: Study, holding: Holding, tried: tuple[Holding, ...]
+) -> Study | None:
+    """Return the study with the next grasp of a robot for a piece, or None if none is left.
+
+    Args:
+        context: As for `study`.
+        studied: What is known so far.
+        holding: The one whose motions were refused.
+        tried: All that were refused, this one included, in order.
+    """
+    robot = context.cell.robot_by_id[holding.robot]
+    found = find_holding(context, robot, holding.piece, tried=tried)
+    if not isinstance(found, Holding):
+        return None
+    holdings = {**studied.holdings, (holding.robot, holding.piece): found}
+    tacks = frozenset((c, context.task.target) for h in holdings.values() for c in h.tacks)
+    return replace(studied, holdings=holdings, facts=replace(studied.facts, tacks=tacks))
+
+
 def _holding(context: TwinContext, robot: Robot, piece: ComponentId) -> Holding | Refusal | None:
     """Return a holding, why there is none, or None where none is needed."""
     if context.task.placed is None:
