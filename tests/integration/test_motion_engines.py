@@ -11,10 +11,11 @@ import pytest
 
 from motion_scenes import HOME, A, B, box, held_stud, kr120, lowering, one_arm, two_arms
 from sitewright.foundation.ids import BodyId
-from sitewright.foundation.pose import Pose, rotation, translation
+from sitewright.foundation.pose import Pose, translation
 from sitewright.planning_twin.backends.distances import EPS_M
 from sitewright.planning_twin.backends.mujoco_cell import MujocoCells
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
+from sitewright.planning_twin.backends.roboplan_search import RoboplanSearch
 from sitewright.planning_twin.backends.search_scene import SearchScenes
 from sitewright.planning_twin.backends.twin import make_backends
 from sitewright.planning_twin.free_motion import FreeMotion, plan_free_motion
@@ -148,20 +149,39 @@ def test_a_blocked_goal_names_the_pairs() -> None:
     assert "goal" in found.reason
 
 
-def test_a_goal_behind_walls_ends_with_the_nodes() -> None:
-    """Walls reach out from the base to all sides; the search ends and says so."""
+def test_a_peg_in_a_deep_tube_ends_with_the_time() -> None:
+    """Hardly a node can be added there; what ended by the clock says that it does not repeat."""
+    peg = box("peg", (0.08, 0.08, 0.6), Attachment(A, translation(0.0, 0.0, 0.31)))
+    middle = tip_pose(kr120(), HOME) @ translation(0.0, 0.0, 0.36)
     walls = [
-        box(
-            f"wall-{k}",
-            (3.0, 0.02, 5.0),
-            rotation((0.0, 0.0, 1.0), bearing) @ translation(1.95, 0.0, 1.0),
+        box(f"wall-{k}", size, middle @ translation(x, y, 0.0))
+        for k, (size, x, y) in enumerate(
+            [
+                ((0.02, 0.18, 0.6), 0.08, 0.0),
+                ((0.02, 0.18, 0.6), -0.08, 0.0),
+                ((0.18, 0.02, 0.6), 0.0, 0.08),
+                ((0.18, 0.02, 0.6), 0.0, -0.08),
+            ]
         )
-        for k, bearing in enumerate((0.8, -0.8, 2.3, -2.3))
     ]
-    request = MotionRequest(robot=A, goal_rad=(1.7, *HOME[1:]), max_nodes=150)
-    found = BACKENDS.planner.plan(one_arm(*walls), request, seed=0)
+    request = MotionRequest(robot=A, goal_rad=(1.0, *HOME[1:]))
+    found = RoboplanSearch(ProofScenes(), watchdog_s=0.3).plan(
+        one_arm(peg, *walls), request, seed=0
+    )
     assert isinstance(found, NoPath), found
-    assert (found.nodes, found.is_reproducible, found.seeds) == (150, True, (0,))
+    assert not found.is_reproducible
+
+
+def test_a_search_that_needs_more_nodes_says_how_many_it_had() -> None:
+    """A pillar between start and goal cannot be passed with three nodes."""
+    middle = tip_pose(kr120(), (0.5, *HOME[1:])).position_m
+    scene = one_arm(box("pillar", (0.3, 0.3, 6.0), Pose(middle)))
+    request = MotionRequest(robot=A, goal_rad=(1.0, *HOME[1:]), max_nodes=3)
+    found = BACKENDS.planner.plan(scene, request, seed=4)
+    assert isinstance(found, NoPath), found
+    assert (found.nodes, found.is_reproducible, found.seeds) == (3, True, (4,))
+    more = BACKENDS.planner.plan(scene, replace(request, max_nodes=500), seed=4)
+    assert isinstance(more, tuple)
 
 
 @pytest.mark.parametrize("gap_m", [0.0102, 0.0107])

@@ -110,6 +110,12 @@ def test_an_exhausted_search_names_its_nodes_and_seeds() -> None:
     assert len(planner.asked) == 2
 
 
+def test_a_search_out_of_time_is_not_repeated() -> None:
+    found, planner = run([NoPath(nodes=100, seeds=(7,), is_reproducible=False)], [])
+    assert found == NoPath(nodes=100, seeds=(7,), is_reproducible=False)
+    assert len(planner.asked) == 1
+
+
 def test_a_blocked_end_is_final() -> None:
     blocked = BlockedBy(pairs=(("a/link_6", "table"),))
     found, planner = run([blocked], [])

@@ -49,6 +49,7 @@ def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts
 
     A path that the proof refuses is tried again before it was shortened, then from another
     seed, then with finer steps; a search that runs out of nodes once with six times as many.
+    One that ran out of time is not repeated.
 
     Args:
         backends: Engines.
@@ -77,6 +78,8 @@ def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts
             return found
         if isinstance(found, NoPath):
             refusal = replace(found, seeds=tuple(dict.fromkeys(seeds)))
+            if not found.is_reproducible:
+                return refusal
             continue
         motion = _proven(backends, scene, attempt, found)
         if isinstance(motion, FreeMotion):

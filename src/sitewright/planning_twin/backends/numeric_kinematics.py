@@ -6,6 +6,7 @@ import numpy as np
 
 from sitewright.planning_twin.backends.kinematic_chain import Array, KinematicChain, distinct
 from sitewright.planning_twin.refusal import NoIk
+from sitewright.robot_team.description import Joints
 
 _STARTS = 48
 _ITERATIONS = 120
@@ -20,6 +21,10 @@ class NumericSolver:
 
     def __init__(self, chain: KinematicChain) -> None:
         self.chain = chain
+
+    def tip(self, q_rad: Joints) -> Array:
+        """Return base_T_tip of a posture."""
+        return np.asarray(self.chain.tips(np.array([q_rad], dtype=np.float64))[0])
 
     def branches(self, base_T_tip: Array, near: Array) -> Array | NoIk:
         """Return the postures that the starts lead to, the one from `near` among them."""

@@ -39,6 +39,8 @@ class _OpwRobot(Protocol):
 
     def batch_forward(self, joints: Array) -> Array: ...
 
+    def forward(self, joints: Joints) -> list[list[float]]: ...
+
     def reach(self, poses: Array) -> tuple[Array, Array, Array, Array, Array]: ...
 
 
@@ -48,6 +50,10 @@ class Solver(Protocol):
     @property
     def chain(self) -> KinematicChain:
         """The arm that it solves."""
+        ...
+
+    def tip(self, q_rad: Joints) -> Array:
+        """Return base_T_tip of a posture."""
         ...
 
     def branches(self, base_T_tip: Array, near: Array) -> Array | NoIk:
@@ -61,13 +67,20 @@ class OpwSolver:
     def __init__(self, chain: KinematicChain, geometry: OpwGeometry) -> None:
         self.chain = chain
         self._robot = _robot(geometry)
+        self._base_T_opw = geometry.base_T_opw
         zero = np.zeros((1, chain.joints))
         self._opw_T_base = np.linalg.inv(geometry.base_T_opw)
         self._tip_T_opw_tip = np.linalg.inv(chain.tips(zero)[0]) @ self._opw_tips(zero)[0]
+        self._opw_tip_T_tip = np.linalg.inv(self._tip_T_opw_tip)
 
     def error(self, q: Array) -> float:
         """Return the largest difference between the closed form and the arm's own frames."""
         return float(np.abs(self._opw_tips(q) - self.chain.tips(q) @ self._tip_T_opw_tip).max())
+
+    def tip(self, q_rad: Joints) -> Array:
+        """Return base_T_tip; the closed form takes a tenth of the time of the frames."""
+        opw = np.array(self._robot.forward(q_rad))
+        return np.asarray(self._base_T_opw @ opw @ self._opw_tip_T_tip)
 
     def branches(self, base_T_tip: Array, near: Array) -> Array | NoIk:  # noqa: ARG002 - a port
         """Return up to eight branches; an empty answer is a proof."""
@@ -86,7 +99,7 @@ class OpwSolver:
 
     def _opw_tips(self, q: Array) -> Array:
         poses = np.asarray(self._robot.batch_forward(np.ascontiguousarray(q))).reshape(-1, 4, 4)
-        return np.asarray(np.linalg.inv(self._opw_T_base) @ poses)
+        return np.asarray(self._base_T_opw @ poses)
 
 
 class OpwKinematics(Kinematics):
@@ -97,8 +110,7 @@ class OpwKinematics(Kinematics):
 
     @override
     def tip(self, description: Description, q_rad: Joints) -> Pose:
-        chain = self._solver_of(description).chain
-        return pose_of(chain.tips(np.array([q_rad], dtype=np.float64))[0])
+        return pose_of(self._solver_of(description).tip(q_rad))
 
     @override
     def solve(

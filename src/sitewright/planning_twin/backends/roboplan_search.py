@@ -21,7 +21,8 @@ _PAD_RESERVE_M = 0.0005
 _CORNER_PADS = 4.0
 """Corners of padded parts stand out by up to two pads each."""
 _MAX_EDGE_RAD = 1.0
-_WATCHDOG_S = 20.0
+WATCHDOG_S = 5.0
+"""In a narrow place hardly any node is ever added, so that nodes alone bound nothing."""
 _SHORTCUTS = 200
 _OUT_OF_NODES = "maximum number of nodes"
 _OUT_OF_TIME = "timed out"
@@ -35,7 +36,8 @@ class RoboplanSearch(MotionPlanner):
     pairs that the robot does not move: they are the certificate's business alone.
     """
 
-    def __init__(self, proofs: ProofScenes) -> None:
+    def __init__(self, proofs: ProofScenes, *, watchdog_s: float = WATCHDOG_S) -> None:
+        self._watchdog_s = watchdog_s
         self._proofs = proofs
         self._scenes = SearchScenes(proofs)
         self._check = CoalCollisionCheck(proofs)
@@ -57,7 +59,7 @@ class RoboplanSearch(MotionPlanner):
         with search.without({*standing, *declared}):
             near = self._near_an_end(scene, search, request, pad_m)
         with search.without({*standing, *declared, *near}):
-            return _path(search, request, ends, seed)
+            return self._path(search, request, ends, seed)
 
     def _near_an_end(
         self, scene: SceneSnapshot, search: SearchScene, request: MotionRequest, pad_m: float
@@ -71,33 +73,32 @@ class RoboplanSearch(MotionPlanner):
                 found.update(self._check.violations(wide, request.robot, q_rad, off))
         return found
 
+    def _path(
+        self, search: SearchScene, request: MotionRequest, ends: tuple[Joints, Joints], seed: int
+    ) -> tuple[Joints, ...] | NoPath:
+        from roboplan.core import JointConfiguration
+        from roboplan.rrt import RRT, RRTOptions
 
-def _path(
-    search: SearchScene, request: MotionRequest, ends: tuple[Joints, Joints], seed: int
-) -> tuple[Joints, ...] | NoPath:
-    from roboplan.core import JointConfiguration
-    from roboplan.rrt import RRT, RRTOptions
-
-    joints = search.joints_of(request.robot)
-    options = RRTOptions(
-        group_name=request.robot,
-        rrt_connect=True,
-        max_connection_distance=_MAX_EDGE_RAD,
-        collision_check_step_size=request.step_rad,
-        max_nodes=request.max_nodes,
-        max_planning_time=_WATCHDOG_S,
-    )
-    rrt = RRT(search.roboplan, options)
-    rrt.setRngSeed(seed)
-    start, goal = (JointConfiguration(joints, np.array(q, dtype=np.float64)) for q in ends)
-    try:
-        path: Any = rrt.plan(start, goal)
-        if request.is_shortcut:
-            path = _shortened(search, request, path, seed)
-    except RuntimeError as error:
-        return _no_path(str(error), request, seed)
-    inner = [tuple(float(v) for v in q) for q in path.positions][1:-1]
-    return (ends[0], *inner, ends[1])
+        joints = search.joints_of(request.robot)
+        options = RRTOptions(
+            group_name=request.robot,
+            rrt_connect=True,
+            max_connection_distance=_MAX_EDGE_RAD,
+            collision_check_step_size=request.step_rad,
+            max_nodes=request.max_nodes,
+            max_planning_time=self._watchdog_s,
+        )
+        rrt = RRT(search.roboplan, options)
+        rrt.setRngSeed(seed)
+        start, goal = (JointConfiguration(joints, np.array(q, dtype=np.float64)) for q in ends)
+        try:
+            path: Any = rrt.plan(start, goal)
+            if request.is_shortcut:
+                path = _shortened(search, request, path, seed)
+        except RuntimeError as error:
+            return _no_path(str(error), request, seed)
+        inner = [tuple(float(v) for v in q) for q in path.positions][1:-1]
+        return (ends[0], *inner, ends[1])
 
 
 def _shortened(search: SearchScene, request: MotionRequest, path: Any, seed: int) -> Any:  # noqa: ANN401
@@ -120,6 +121,6 @@ def _no_path(message: str, request: MotionRequest, seed: int) -> NoPath:
             nodes=request.max_nodes,
             seeds=(seed,),
             is_reproducible=False,
-            reason=f"no path within {_WATCHDOG_S:.0f} s",
+            reason=f"no path in the time; {message}",
         )
     raise BackendError(f"roboplan could not search for {request.robot}: {message}")
