@@ -107,7 +107,7 @@ def _tell(result: RunResult, report: Report, out: Output) -> None:
         f"{figures.fasteners_driven}/{figures.fasteners_total} fasteners, "
         f"{figures.trajectories_certified}/{figures.trajectories_total} motions certified, "
         f"{figures.trajectories_confirmed} confirmed, "
-        f"{_or_unknown(figures.unallowed_contacts)} contacts not allowed, "
+        f"unallowed contacts: {_or_unknown(figures.unallowed_contacts)}, "
         f"{figures.replans} replans, makespan {figures.makespan_s:.0f} s."
     )
     if result.question is not None:

@@ -62,4 +62,6 @@ class Dialogue:
         if not typed:
             click.echo("", err=True)
             return None
+        if not sys.stdin.isatty():  # nobody saw it being typed
+            click.echo(typed.rstrip(), err=True)
         return typed.strip()
