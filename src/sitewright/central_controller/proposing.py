@@ -39,7 +39,6 @@ from sitewright.construction_graph.queue import target_queue
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.feedback import in_words
 from sitewright.planning_twin.jobsite import Jobsite, PieceShape
-from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.planning_twin.recheck import recertify
 from sitewright.planning_twin.refusal import StaleCertificate
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal, plan_sequence
@@ -285,12 +284,12 @@ class Proposals:
             ProposedStep(
                 number=number,
                 call=call,
-                params=skill.params,
+                params={**skill.params, "contacts": [list(c) for c in skill.declared_contacts()]},
                 motions=skill.motions,
                 duration_s=skill.act_s + sum(m.timed.trajectory.duration_s for m in skill.motions),
                 relies_on=_relied_on(problem, problem.action(call)),
                 effects=_effects(problem, problem.action(call)),
-                contacts=_contacts(skill.motions),
+                contacts=skill.declared_contacts(),
             )
             for number, (call, skill) in enumerate(pairs, start=1)
         )
@@ -350,13 +349,3 @@ def _relied_on(problem: Problem, action: GroundAction | None) -> tuple[str, ...]
 
 def _effects(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:
     return () if action is None else effects(problem, action)
-
-
-def _contacts(motions: Sequence[PlannedMotion]) -> tuple[tuple[str, str], ...]:
-    pairs = {
-        pair
-        for motion in motions
-        for segment in motion.timed.path.segments
-        for pair in segment.threshold_m
-    }
-    return tuple(sorted(pairs))

@@ -3,6 +3,7 @@
 Parameters by skill (`SkillCommand.params`; ids are those of physical pieces, i.e. of the
 material component, also after installation; poses are ``{"p_m": [..], "q_wxyz": [..]}``):
 
+any skill             ``contacts``: pairs of names that may touch; any other contact is reported.
 reach, retract        ``aperture_m``: the empty gripper opens to it first (optional); one
                       trajectory, or none where the robot leaves a place without contact.
 grasp                 ``piece``, ``width_m`` expected aperture, ``tolerance_m``.

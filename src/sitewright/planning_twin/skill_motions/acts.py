@@ -53,7 +53,7 @@ def plan_grasp(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
         "width_m": holding.grasp.width_m,
         "tolerance_m": _APERTURE_TOLERANCE_M,
     }
-    return _planned(call, params, _with_arm(stage.site, call.robot, taken))
+    return _planned(stage, call, piece, params, _with_arm(stage.site, call.robot, taken))
 
 
 def plan_position(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -71,7 +71,7 @@ def plan_position(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
         world_T_piece={**stage.site.world_T_piece, piece: task.world_T_target},
         steadied={**stage.site.steadied, piece: call.robot},
     )
-    return _planned(call, params, site)
+    return _planned(stage, call, piece, params, site)
 
 
 def plan_release(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -81,7 +81,7 @@ def plan_release(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     if isinstance(opening, BlockedBy):
         return _refused(call, opening)
     site = _let_go(stage.site, call.robot, piece, opening)
-    return _planned(call, {"piece": piece, "aperture_m": opening}, site)
+    return _planned(stage, call, piece, {"piece": piece, "aperture_m": opening}, site)
 
 
 def plan_set_down(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -102,7 +102,7 @@ def plan_set_down(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     }
     site = _let_go(stage.site, call.robot, piece, opening)
     site = replace(site, world_T_piece={**site.world_T_piece, piece: pose})
-    return _planned(call, params, site)
+    return _planned(stage, call, piece, params, site)
 
 
 def plan_fasten(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -118,15 +118,30 @@ def plan_fasten(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
         "fastener": _fastener_json(spot.fastener),
         "penetration_m": MIN_PENETRATION_M,
     }
-    return _planned(call, params, stage.site)
+    return _planned(stage, call, placed_piece(stage), params, stage.site)
 
 
 def _fastener_json(fastener: FastenerSpec) -> Json:
     return {"type": fastener.type, "d_m": fastener.d_m, "l_m": fastener.l_m}
 
 
-def _planned(call: SkillCall, params: dict[str, Json], site: Jobsite) -> PlannedSkill:
-    return PlannedSkill(motions=(), params=params, site_after=site, act_s=ACT_TIME_S[call.skill])
+def _planned(
+    stage: Stage, call: SkillCall, piece: ComponentId, params: dict[str, Json], site: Jobsite
+) -> PlannedSkill:
+    """Return an act: the end effector may touch its piece, and the piece what it lies on."""
+    task, own = stage.context.task, bodies_of_tool(stage.tool(call.robot))
+    around = (*task.touches, *task.lies_on.get(piece, ()))
+    pairs = {
+        **declared(CONTACT_M, own, (BodyId(piece),)),
+        **declared(CONTACT_M, (BodyId(piece),), around),
+    }
+    return PlannedSkill(
+        motions=(),
+        params=params,
+        site_after=site,
+        act_s=ACT_TIME_S[call.skill],
+        contacts=tuple(sorted(pairs)),
+    )
 
 
 def _refused(call: SkillCall, refusal: BlockedBy | NoGrasp | NoIk) -> SkillRefusal:

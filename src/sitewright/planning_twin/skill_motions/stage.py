@@ -81,12 +81,25 @@ class PlannedSkill:
     Attributes:
         site_after: The site as it is expected afterwards.
         act_s: Time of the end effector's act, on top of the motions.
+        contacts: Pairs that the act itself lets touch; those of motions are in their paths.
     """
 
     motions: tuple[PlannedMotion, ...]
     params: Mapping[str, Json]
     site_after: Jobsite
     act_s: float = 0.0
+    contacts: tuple[Pair, ...] = ()
+
+    def declared_contacts(self) -> tuple[Pair, ...]:
+        """Return all pairs that may touch during the skill, in order of name."""
+        moving = {
+            pair
+            for motion in self.motions
+            for segment in motion.timed.path.segments
+            for pair, threshold_m in segment.threshold_m.items()
+            if threshold_m < 0.0
+        }
+        return tuple(sorted(moving | set(self.contacts)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

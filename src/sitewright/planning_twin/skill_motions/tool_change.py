@@ -58,9 +58,8 @@ def plan_change(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     """Plan the three motions of a change; either end may be a bare flange."""
     known = stage.context.cell.end_effector_by_id
     old, new = (known.get(EndEffectorId(i)) for i in call.arguments[:2])
-    progress: _Progress | Refusal = _Progress(stage=stage)
-    if old is not None:
-        progress = _dock(progress, call.robot, old)
+    start = _Progress(stage=stage)
+    progress = start if old is None else _dock(start, call.robot, old)
     if new is not None and isinstance(progress, _Progress):
         progress = _take(progress, call.robot, new)
     if isinstance(progress, _Progress):
