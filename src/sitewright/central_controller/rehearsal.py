@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from sitewright.building_model.component import Layer
 from sitewright.building_model.model import BuildingModel
+from sitewright.central_controller.expectation import pose_of
 from sitewright.central_controller.ports import SiteContext
 from sitewright.central_controller.proposal import Proposal, ProposedStep
+from sitewright.central_controller.site_fold import places_after
 from sitewright.central_controller.site_state import PlacedPiece, SiteState
 from sitewright.construction_graph.graph import ConstructionGraph
-from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId, EndEffectorId, OperationId, StationId
 from sitewright.foundation.pose import Pose
 from sitewright.robot_team.cell import Cell
@@ -54,25 +55,27 @@ def initial_observation(model: BuildingModel, cell: Cell, graph: ConstructionGra
 
 
 def rehearsed(context: SiteContext, proposal: Proposal) -> SiteContext:
-    """Return the context as if a proposal had been carried out exactly."""
+    """Return the context as if a proposal for a whole target had been carried out exactly."""
     for step in proposal.steps:
-        context = _after_motions(context, step)
-        context = _after_act(context, step, proposal.target)
+        context = after_step(context, step, proposal.target)
     site = context.site
     site = replace(
         site,
         standing=site.standing | {proposal.target},
         installed=(*site.installed, proposal.target),
-        place_by_robot={},
     )
     return replace(context, site=site)
 
 
-def _after_motions(context: SiteContext, step: ProposedStep) -> SiteContext:
-    if not step.motions:
-        return context
-    end_rad = step.motions[-1].timed.path.end_rad
-    return _with_robot(context, step.call.robot, q_rad=end_rad)
+def after_step(context: SiteContext, step: ProposedStep, target: ComponentId) -> SiteContext:
+    """Return the context as if one step had been carried out exactly."""
+    robot = step.call.robot
+    if step.motions:
+        context = _with_robot(context, robot, q_rad=step.motions[-1].timed.path.end_rad)
+    act = _ACTS.get(step.call.skill)
+    context = context if act is None else act(context, step, target)
+    places = places_after(context.site.place_by_robot, robot, step.effects)
+    return replace(context, site=replace(context.site, place_by_robot=places))
 
 
 def _with_robot(context: SiteContext, robot: str, **changes: object) -> SiteContext:
@@ -83,33 +86,39 @@ def _with_robot(context: SiteContext, robot: str, **changes: object) -> SiteCont
     return replace(context, observation=replace(context.observation, robots=robots))
 
 
-def _after_act(context: SiteContext, step: ProposedStep, target: ComponentId) -> SiteContext:
-    call, params = step.call, step.params
-    match call.skill:
-        case Skill.GRASP:
-            return _with_robot(
-                context, call.robot, gripped=params["piece"], aperture_m=params["width_m"]
-            )
-        case Skill.POSITION:
-            return _placed(context, step, target)
-        case Skill.REACH if "aperture_m" in params:
-            return _with_robot(context, call.robot, aperture_m=params["aperture_m"])
-        case Skill.RELEASE:
-            return _with_robot(context, call.robot, gripped=None, aperture_m=params["aperture_m"])
-        case Skill.SET_DOWN:
-            laid = _with_robot(context, call.robot, gripped=None, aperture_m=params["aperture_m"])
-            return _seen_at(laid, ComponentId(str(params["piece"])), pose_of(params))
-        case Skill.FASTEN | Skill.APPLY_FINISH:
-            done = context.site.done_operations | {OperationId(call.arguments[0])}
-            return replace(context, site=replace(context.site, done_operations=done))
-        case Skill.CHANGE_END_EFFECTOR:
-            return _changed(context, step)
-        case _:
-            return context
+def _opened(context: SiteContext, step: ProposedStep, _target: ComponentId) -> SiteContext:
+    opening = step.params.get("aperture_m")
+    return context if opening is None else _with_robot(context, step.call.robot, aperture_m=opening)
+
+
+def _grasped(context: SiteContext, step: ProposedStep, _target: ComponentId) -> SiteContext:
+    params = step.params
+    return _with_robot(
+        context, step.call.robot, gripped=params["piece"], aperture_m=params["width_m"]
+    )
+
+
+def _let_go(context: SiteContext, step: ProposedStep, _target: ComponentId) -> SiteContext:
+    return _with_robot(context, step.call.robot, gripped=None, aperture_m=step.params["aperture_m"])
+
+
+def _released(context: SiteContext, step: ProposedStep, target: ComponentId) -> SiteContext:
+    site = replace(context.site, standing=context.site.standing | {target})
+    return _let_go(replace(context, site=site), step, target)
+
+
+def _laid_down(context: SiteContext, step: ProposedStep, target: ComponentId) -> SiteContext:
+    piece = ComponentId(str(step.params["piece"]))
+    return _seen_at(_let_go(context, step, target), piece, pose_of(step.params["world_T_piece"]))
+
+
+def _operated(context: SiteContext, step: ProposedStep, _target: ComponentId) -> SiteContext:
+    done = context.site.done_operations | {OperationId(step.call.arguments[0])}
+    return replace(context, site=replace(context.site, done_operations=done))
 
 
 def _placed(context: SiteContext, step: ProposedStep, target: ComponentId) -> SiteContext:
-    piece, pose = ComponentId(step.call.arguments[0]), pose_of(step.params)
+    piece, pose = ComponentId(step.call.arguments[0]), pose_of(step.params["world_T_piece"])
     placed = PlacedPiece(
         piece=piece, world_T_wanted=pose, world_T_measured=pose, robot=step.call.robot
     )
@@ -122,7 +131,7 @@ def _seen_at(context: SiteContext, piece: ComponentId, pose: Pose) -> SiteContex
     return replace(context, observation=replace(context.observation, world_T_piece=poses))
 
 
-def _changed(context: SiteContext, step: ProposedStep) -> SiteContext:
+def _changed(context: SiteContext, step: ProposedStep, _target: ComponentId) -> SiteContext:
     old, new, station = (step.params[k] for k in ("old", "new", "station"))
     docked = {i: s for i, s in context.observation.docked.items() if i != new}
     if old is not None:
@@ -131,10 +140,14 @@ def _changed(context: SiteContext, step: ProposedStep) -> SiteContext:
     return _with_robot(context, step.call.robot, mounted=new, aperture_m=0.0)
 
 
-def pose_of(params: Mapping[str, Json]) -> Pose:
-    """Return the wanted pose of a piece in a skill's parameters."""
-    pose = params["world_T_piece"]
-    if not isinstance(pose, Mapping):
-        raise TypeError("world_T_piece is no pose")
-    position, quaternion = pose["p_m"], pose["q_wxyz"]
-    return Pose(tuple(position), tuple(quaternion))  # type: ignore[arg-type]
+_ACTS: Mapping[str, Callable[[SiteContext, ProposedStep, ComponentId], SiteContext]] = {
+    Skill.REACH: _opened,
+    Skill.GRASP: _grasped,
+    Skill.POSITION: _placed,
+    Skill.RELEASE: _released,
+    Skill.SET_DOWN: _laid_down,
+    Skill.FASTEN: _operated,
+    Skill.APPLY_FINISH: _operated,
+    Skill.CHANGE_END_EFFECTOR: _changed,
+}
+"""What each skill's act does to the site, on top of its motions."""

@@ -26,7 +26,7 @@ def graph_now(model: BuildingModel, cell: Cell, context: SiteContext) -> Constru
     """Return the graph: what is installed, which stock is left, and where it was seen.
 
     A piece that was seen away from its stack lies on a buffer, or at no place at all: then it
-    is in a gripper, or has fallen, and is not offered.
+    is in a gripper, or has fallen, and is not offered. Nor is one that is not seen any more.
     """
     site = context.site
     designed = graph_of(model, cell)
@@ -47,10 +47,13 @@ def graph_now(model: BuildingModel, cell: Cell, context: SiteContext) -> Constru
     sensed: dict[ComponentId, Pose] = {}
     moved: dict[ComponentId, MovedPiece] = {}
     for piece in stock:
-        seen = context.observation.world_T_piece.get(piece)
-        if seen is None or piece not in designed.node_by_id:
+        if piece not in designed.node_by_id:
             continue
-        if piece not in held and _is_stacked(designed.node_by_id[piece].world_T_component, seen):
+        stacked = designed.node_by_id[piece].world_T_component
+        seen = context.observation.world_T_piece.get(piece)
+        if seen is None:
+            moved[piece] = MovedPiece(place=NOWHERE, world_T_component=stacked)
+        elif piece not in held and _is_stacked(stacked, seen):
             sensed[piece] = seen
         else:
             place = NOWHERE if piece in held else _buffer_under(cell, seen)

@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 
-from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.ids import ComponentId, OperationId
+from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.grasp_trial import GraspTrial, grasp_trial
 from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
-from sitewright.planning_twin.refusal import NoGrasp, PayloadExceeded, Refusal
-from sitewright.planning_twin.tacking import Holding, with_tacks
+from sitewright.planning_twin.refusal import NoGrasp, NoIk, PayloadExceeded, Refusal
+from sitewright.planning_twin.tacking import (
+    Holding,
+    forced_tacks,
+    is_enough,
+    owed_tacks,
+    tacks_needed,
+    with_tacks,
+)
 from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
 
@@ -37,8 +46,10 @@ def find_holding(
     if heavy := _too_heavy(context, robot, tool, piece):
         return heavy
     candidates = _candidates(context, robot, tool, piece)
+    if too_far := _too_far(context, robot, tool, piece, candidates):
+        return too_far
     dropped: Counter[str] = Counter()
-    most_tacks = 0
+    most_tacks: tuple[OperationId, ...] = ()
     first = tried[-1].rank if tried else 0
     for rank in range(first, len(candidates)):
         trial = grasp_trial(context, robot, tool, piece, candidates[rank])
@@ -46,16 +57,51 @@ def find_holding(
             if any(h.hold_rad == holding.hold_rad and h.rank == rank for h in tried):
                 continue
             tacked = with_tacks(context, holding, tool)
-            if len(tacked.tacks) >= context.task.hold_until:
+            if is_enough(context.task, tacked.tacks):
                 return tacked
-            most_tacks = max(most_tacks, len(tacked.tacks))
+            most_tacks = max(most_tacks, tacked.tacks, key=len)
             dropped["fasten while held"] += 1
     return NoGrasp(
-        is_proven=False,
+        is_proven=not candidates,
         candidates=len(candidates),
         dropped_by=tuple(sorted(dropped.items())),
         reason=_reason(context.task, most_tacks, dropped, tried),
     )
+
+
+def _too_far(
+    context: TwinContext,
+    robot: Robot,
+    tool: EndEffector,
+    piece: ComponentId,
+    candidates: list[Grasp],
+) -> NoGrasp | None:
+    """Return the proof that no grasp reaches the piece, or the target, from the robot's base."""
+    ends = {"the target": context.task.world_T_target}
+    if context.site.arms[robot.id].held != piece:
+        ends["the piece"] = context.site.world_T_piece[piece]
+    for name, world_T_piece in ends.items():
+        far = [_proof_of_far(context, robot, tool, world_T_piece, g) for g in candidates]
+        proofs = [f for f in far if f is not None]
+        if candidates and len(proofs) == len(candidates):
+            least = min(p.extension_m for p in proofs)
+            by = f" by {least * 1000:.0f} mm" if least > 0.0 else ""
+            return NoGrasp(
+                is_proven=True,
+                candidates=len(candidates),
+                dropped_by=((f"reach {name}", len(candidates)),),
+                reason=f"{name} is out of reach{by} with every grasp (proven)",
+            )
+    return None
+
+
+def _proof_of_far(
+    context: TwinContext, robot: Robot, tool: EndEffector, world_T_piece: Pose, grasp: Grasp
+) -> NoIk | None:
+    base_T_tip = robot.world_T_base.inverse() @ world_T_piece @ grasp.tip_T_piece(tool).inverse()
+    kinematics = context.backends.kinematics
+    found = kinematics.solve(robot.description, base_T_tip, robot.home_q_rad)
+    return found if isinstance(found, NoIk) and found.is_proven else None
 
 
 def steadying(context: TwinContext, robot: Robot, piece: ComponentId) -> Holding | None:
@@ -65,7 +111,8 @@ def steadying(context: TwinContext, robot: Robot, piece: ComponentId) -> Holding
         return None
     grasp = grasp_in_use(tool, arm.tip_T_held, arm.aperture_m)
     holding = Holding(robot=robot.id, piece=piece, grasp=grasp, hold_rad=arm.q_rad)
-    return with_tacks(context, holding, tool)
+    tacks = with_tacks(context, holding, tool).tacks
+    return replace(holding, tacks=owed_tacks(context.task, tacks))
 
 
 def _serving(trial: GraspTrial, rank: int, dropped: Counter[str]) -> Iterator[Holding]:
@@ -103,17 +150,32 @@ def _candidates(
     return grasps_of(context.site.pieces[piece], tool, context.site.world_T_piece[piece])
 
 
-def _reason(task: Task, most_tacks: int, dropped: Counter[str], tried: tuple[Holding, ...]) -> str:
+def _reason(
+    task: Task,
+    most_tacks: tuple[OperationId, ...],
+    dropped: Counter[str],
+    tried: tuple[Holding, ...],
+) -> str:
     if dropped["fasten while held"]:
-        return (
-            f"at most {most_tacks} of the {task.hold_until} fasteners that must be driven "
-            f"before letting go can be driven while it is held"
-        )
+        return _too_few(task, most_tacks)
     if tried:
         return f"the motions of all {len(tried)} grasps that serve were refused"
     if not dropped:
         return "no side of the piece fits between the gripper's fingers"
     return "no grasp serves " + ", ".join(f"{name} ({n})" for name, n in dropped.most_common())
+
+
+def _too_few(task: Task, most_tacks: tuple[OperationId, ...]) -> str:
+    missing = [o for o in forced_tacks(task) if o not in most_tacks]
+    if missing:
+        return (
+            f"{' and '.join(missing)} must be driven while the piece is held, and cannot be: the "
+            f"arms or their tools are in each other's way, however it is held"
+        )
+    return (
+        f"at most {len(most_tacks)} of the {tacks_needed(task)} fasteners that must be driven "
+        f"before letting go can be driven while it is held"
+    )
 
 
 def _too_heavy(

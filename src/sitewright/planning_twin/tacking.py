@@ -9,7 +9,7 @@ from sitewright.planning_twin.approach import Reaching, approaches
 from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import Jobsite, scene_of, tool_for, with_tool
-from sitewright.planning_twin.task import TwinContext
+from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.planning_twin.touches import spot_touch
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
@@ -42,6 +42,39 @@ def with_tacks(context: TwinContext, holding: Holding, gripper: EndEffector) -> 
     return replace(holding, tacks=drivable_while_held(context, holding, gripper))
 
 
+def tacks_needed(task: Task) -> int:
+    """Return how many fasteners must be driven before the piece may be let go."""
+    return max(task.hold_until, len(forced_tacks(task)))
+
+
+def forced_tacks(task: Task) -> tuple[OperationId, ...]:
+    """Return the fasteners that the design wants driven while the piece is held."""
+    return tuple(s.operation for s in task.spots if s.fastener is not None and s.needs_hold)
+
+
+def is_enough(task: Task, tacks: tuple[OperationId, ...]) -> bool:
+    """Tell whether a piece may be let go once these fasteners are driven."""
+    return len(tacks) >= tacks_needed(task) and set(forced_tacks(task)) <= set(tacks)
+
+
+def owed_tacks(task: Task, drivable: tuple[OperationId, ...]) -> tuple[OperationId, ...]:
+    """Return what must be driven before a piece that is held already is let go.
+
+    If too few are drivable, the rest is owed all the same: the piece would fall. Then no plan
+    exists until somebody makes room.
+    """
+    if is_enough(task, drivable):
+        return drivable
+    wanted = [s.operation for s in _most_wanted_first(task)]
+    first = dict.fromkeys((*forced_tacks(task), *drivable, *wanted))
+    return tuple(first)[: tacks_needed(task)]
+
+
+def _most_wanted_first(task: Task) -> list[Spot]:
+    fasteners = [s for s in task.spots if s.fastener is not None]
+    return sorted(fasteners, key=lambda s: not s.needs_hold)
+
+
 def drivable_while_held(
     context: TwinContext, holding: Holding, gripper: EndEffector
 ) -> tuple[OperationId, ...]:
@@ -49,15 +82,12 @@ def drivable_while_held(
 
     Those that must be driven while it is held come first; then as many as have to be.
     """
-    task = context.task
-    if task.hold_until == 0:
-        return ()
-    forced = [s for s in task.spots if s.fastener is not None and s.needs_hold]
-    others = [s for s in task.spots if s.fastener is not None and not s.needs_hold]
+    wanted = _most_wanted_first(context.task)
+    count = tacks_needed(context.task)
     site = held_site(context, holding, gripper)
     found: list[OperationId] = []
-    for spot in [*forced, *others]:
-        if len(found) >= max(task.hold_until, len(forced)):
+    for spot in wanted if count else ():
+        if len(found) >= count:
             break
         if any(can_drive(context, site, r, spot, holding.piece) for r in _drivers(context, spot)):
             found.append(spot.operation)
