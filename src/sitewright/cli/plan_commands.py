@@ -92,7 +92,10 @@ def plan(
         out.line(f"{labels.name(waiting)}: not planned")
     total_s = found.timing_s.get("total", 0.0)
     out.line(f"{found.targets_planned} of {found.targets_total} planned in {total_s:.1f} s.")
-    out.document("sitewright.plan/1", _plan_document(found))
+    notes = _plan_notes(opened)
+    for note in notes:
+        out.line(note)
+    out.document("sitewright.plan/1", {**_plan_document(found), "notes": list(notes)})
     codes = [e.exit_code for e in found.escalated]
     return 0 if not codes else _plan_exit_code(found, codes)
 
@@ -104,6 +107,16 @@ def _require_target(project: Project, target: str | None) -> None:
     if target is not None and target not in project.model.component_by_id:
         hint = did_you_mean(target, project.model.component_by_id)
         raise ProjectError(f"There is no component {target!r} in the model.{hint}")
+
+
+def _plan_notes(project: Project) -> tuple[str, ...]:
+    from sitewright.building_model.component import Layer
+
+    targets = [c for c in project.model.component_by_id.values() if c.layer is Layer.TARGET]
+    bare = sum(not c.operations for c in targets)
+    if bare < len(targets):
+        return ()
+    return ("Fastening is not counted: this design states no fasteners for its components.",)
 
 
 def _plan_exit_code(found: PlanReport, codes: list[int]) -> int:
