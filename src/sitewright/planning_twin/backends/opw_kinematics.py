@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import Any, Protocol, cast
+from typing import Protocol
 
 import numpy as np
 from typing_extensions import override
 
 from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.backends.extensions import extension
 from sitewright.planning_twin.backends.identity_cache import IdentityCache
 from sitewright.planning_twin.backends.kinematic_chain import (
     Array,
@@ -157,13 +158,11 @@ def wrapped(postures: Array, lower: Array, upper: Array) -> Array:
 
 
 def _robot(geometry: OpwGeometry) -> _OpwRobot:
-    from py_opw_kinematics import KinematicModel, _internal
-
-    model_type: Any = KinematicModel
-    model = model_type(
+    opw = extension("py_opw_kinematics", "_internal", role="inverse kinematics")
+    model = opw.KinematicModel(
         *geometry.lengths_m, offsets=geometry.offsets_rad, flip_axes=geometry.is_flipped
     )
-    robot: _OpwRobot = cast("_OpwRobot", _internal.Robot(model, degrees=False))
+    robot: _OpwRobot = opw.Robot(model, degrees=False)
     return robot
 
 

@@ -10,6 +10,7 @@ from typing_extensions import override
 
 from sitewright.errors import BackendError
 from sitewright.planning_twin.backends.collision_check import CoalCollisionCheck
+from sitewright.planning_twin.backends.extensions import extension
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.search_scene import SearchScene, SearchScenes
 from sitewright.planning_twin.motion import MotionPlanner, MotionRequest
@@ -77,10 +78,12 @@ class RoboplanSearch(MotionPlanner):
         self, search: SearchScene, request: MotionRequest, ends: tuple[Joints, Joints], seed: int
     ) -> tuple[Joints, ...] | NoPath:
         from roboplan.core import JointConfiguration
-        from roboplan.rrt import RRT, RRTOptions
+
+        # roboplan.core registers the types that this module speaks of
+        roboplan_rrt = extension("roboplan.rrt", "_rrt_ext", role="path search")
 
         joints = search.joints_of(request.robot)
-        options = RRTOptions(
+        options = roboplan_rrt.RRTOptions(
             group_name=request.robot,
             rrt_connect=True,
             max_connection_distance=_MAX_EDGE_RAD,
@@ -88,7 +91,7 @@ class RoboplanSearch(MotionPlanner):
             max_nodes=request.max_nodes,
             max_planning_time=self._watchdog_s,
         )
-        rrt = RRT(search.roboplan, options)
+        rrt = roboplan_rrt.RRT(search.roboplan, options)
         rrt.setRngSeed(seed)
         start, goal = (JointConfiguration(joints, np.array(q, dtype=np.float64)) for q in ends)
         try:
