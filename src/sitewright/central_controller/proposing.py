@@ -163,12 +163,16 @@ class Proposals:
     def _front(
         self, graph: ConstructionGraph, context: SiteContext, exclude: frozenset[ComponentId]
     ) -> ComponentId | None:
-        """Return the first target of the queue that is ready; one in progress goes first."""
+        """Return the target to do next: one in progress, else the first ready one with a piece.
+
+        A ready target whose piece is still buried waits for those that uncover it.
+        """
         out = exclude | set(context.site.refused) | set(context.site.installed)
         waiting = [t for t in target_queue(graph) if t not in out]
         started = [t for t in waiting if t in context.site.placed]
         ready = [t for t in waiting if is_ready(graph, target_node(graph, t))]
-        return next(iter(started + ready), None)
+        supplied = (t for t in ready if self._pieces(graph, context, t) != [()])
+        return next(iter(started), None) or next(supplied, None) or next(iter(ready), None)
 
     def _pieces(
         self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
