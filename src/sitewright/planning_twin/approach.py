@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -20,6 +21,7 @@ PRE_M = 0.120
 """The pre-pose stands this far off the contact pose."""
 CONTACT_M = -0.001
 """Threshold of a declared contact: sensed poses may overlap by this much."""
+_TURN_DIGITS = 6
 NEIGHBOUR_M = 0.001
 """Threshold of a declared neighbour: near, but never touching."""
 
@@ -119,21 +121,28 @@ def approaches(
     if isinstance(postures, NoIk):
         return postures
     found: list[Approach] = []
-    blocked: list[tuple[Pair, ...]] = []
+    blocked: dict[Joints, tuple[Pair, ...]] = {}
     lost: NoIk | None = None
     for contact_rad in postures:
-        pairs = reaching.violations(contact_rad, touch.near_m)
-        if pairs:
-            blocked.append(pairs)
+        shape = without_turns(contact_rad)
+        if shape in blocked:
+            continue
+        if pairs := reaching.violations(contact_rad, touch.near_m):
+            blocked[shape] = pairs
             continue
         approach = straight_approach(reaching, touch, contact_rad)
         if isinstance(approach, NoIk):
             lost = approach
         elif pairs := reaching.violations(approach.pre_rad, touch.free_m, is_padded=True):
-            blocked.append(pairs)
+            blocked[shape] = pairs
         else:
             found.append(approach)
-    return found or _why_not(blocked, lost)
+    return found or _why_not(list(blocked.values()), lost)
+
+
+def without_turns(q_rad: Joints) -> Joints:
+    """Return a posture as the arm looks in it: whole turns of a joint make no difference."""
+    return tuple(round(math.remainder(q, 2.0 * math.pi), _TURN_DIGITS) for q in q_rad)
 
 
 def straight_approach(reaching: Reaching, touch: Touch, contact_rad: Joints) -> Approach | NoIk:

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from sitewright.foundation.ids import ComponentId, OperationId
 from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.approach import without_turns
 from sitewright.planning_twin.grasp_trial import GraspTrial, grasp_trial
 from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
 from sitewright.planning_twin.refusal import NoGrasp, NoIk, PayloadExceeded, Refusal
@@ -21,6 +22,13 @@ from sitewright.planning_twin.tacking import (
 )
 from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
+from sitewright.robot_team.description import Joints
+
+_TACKS = "fasten while held"
+_PATIENCE = 8
+"""So many ways to hold may let too few fasteners be driven before the search takes strides."""
+_SPREAD = 16
+"""Then it looks at about so many grasps of all."""
 
 
 def find_holding(
@@ -51,22 +59,38 @@ def find_holding(
     dropped: Counter[str] = Counter()
     most_tacks: tuple[OperationId, ...] = ()
     first = tried[-1].rank if tried else 0
-    for rank in range(first, len(candidates)):
+    for rank in _ranks(first, len(candidates), dropped):
         trial = grasp_trial(context, robot, tool, piece, candidates[rank])
+        insufficient: set[Joints] = set()
         for holding in _serving(trial, rank, dropped):
-            if any(h.hold_rad == holding.hold_rad and h.rank == rank for h in tried):
+            shape = without_turns(holding.hold_rad)
+            is_tried = any(h.hold_rad == holding.hold_rad and h.rank == rank for h in tried)
+            if is_tried or shape in insufficient:
                 continue
             tacked = with_tacks(context, holding, tool)
             if is_enough(context.task, tacked.tacks):
                 return tacked
+            insufficient.add(shape)
             most_tacks = max(most_tacks, tacked.tacks, key=len)
-            dropped["fasten while held"] += 1
+            dropped[_TACKS] += 1
     return NoGrasp(
         is_proven=not candidates,
         candidates=len(candidates),
         dropped_by=tuple(sorted(dropped.items())),
         reason=_reason(context.task, most_tacks, dropped, tried),
     )
+
+
+def _ranks(first: int, count: int, dropped: Counter[str]) -> Iterator[int]:
+    """Yield the grasps to try: all in order, or a spread of them once holding proves hard.
+
+    Whether fasteners can be driven while the piece is held takes long to look at, and grasps of
+    nearly the same pitch and offset seldom differ in it.
+    """
+    rank = first
+    while rank < count:
+        yield rank
+        rank += max(1, (count - first) // _SPREAD) if dropped[_TACKS] >= _PATIENCE else 1
 
 
 def _too_far(
@@ -156,8 +180,8 @@ def _reason(
     dropped: Counter[str],
     tried: tuple[Holding, ...],
 ) -> str:
-    if dropped["fasten while held"]:
-        return _too_few(task, most_tacks)
+    if dropped[_TACKS]:
+        return _too_few(task, most_tacks, dropped[_TACKS])
     if tried:
         return f"the motions of all {len(tried)} grasps that serve were refused"
     if not dropped:
@@ -165,16 +189,16 @@ def _reason(
     return "no grasp serves " + ", ".join(f"{name} ({n})" for name, n in dropped.most_common())
 
 
-def _too_few(task: Task, most_tacks: tuple[OperationId, ...]) -> str:
+def _too_few(task: Task, most_tacks: tuple[OperationId, ...], ways: int) -> str:
     missing = [o for o in forced_tacks(task) if o not in most_tacks]
     if missing:
         return (
-            f"{' and '.join(missing)} must be driven while the piece is held, and cannot be: the "
-            f"arms or their tools are in each other's way, however it is held"
+            f"{' and '.join(missing)} must be driven while the piece is held, and no tool gets "
+            f"there in any of the {ways} ways to hold it that were tried"
         )
     return (
         f"at most {len(most_tacks)} of the {tacks_needed(task)} fasteners that must be driven "
-        f"before letting go can be driven while it is held"
+        f"before letting go can be driven while it is held ({ways} ways to hold it were tried)"
     )
 
 

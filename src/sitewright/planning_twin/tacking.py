@@ -80,17 +80,19 @@ def drivable_while_held(
 ) -> tuple[OperationId, ...]:
     """Return the fasteners that some other robot can drive while this one holds the piece.
 
-    Those that must be driven while it is held come first; then as many as have to be.
+    Those that must be driven while it is held come first; then as many as have to be. One of
+    them that cannot be driven ends the search: this way of holding will not do.
     """
-    wanted = _most_wanted_first(context.task)
     count = tacks_needed(context.task)
     site = held_site(context, holding, gripper)
     found: list[OperationId] = []
-    for spot in wanted if count else ():
+    for spot in _most_wanted_first(context.task) if count else ():
         if len(found) >= count:
             break
         if any(can_drive(context, site, r, spot, holding.piece) for r in _drivers(context, spot)):
             found.append(spot.operation)
+        elif spot.needs_hold:
+            break
     return tuple(found)
 
 
