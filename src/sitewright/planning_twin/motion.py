@@ -105,7 +105,10 @@ class Certificate:
     Attributes:
         scene_revision: Scene that it was made against.
         path_sha256: Path that it is about.
-        closest_distance_m: Smallest proven distance over the pairs that no segment declares.
+        closest_distance_m: A distance that no pair goes below on the path, over the pairs that it
+            moves and that are not declared in the segment at hand; parts of one arm with a single
+            joint between them are proven but left out here. A proven lower bound, as a rule at
+            most 3 % (and 1 mm) under the true smallest distance; infinite without such pairs.
         closest_pair: The pair of it.
         closest_at: Segment number and share of the segment, 0..1.
         eps_m: Numerical reserve of the distance engine.
