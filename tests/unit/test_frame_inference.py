@@ -11,6 +11,7 @@ from builders_frame import beam, frame, portal
 from sitewright.building_model.component import Component, Layer, Origin, PlaneCut
 from sitewright.building_model.inference.assembly import INSERTION, infer_assembly
 from sitewright.building_model.inference.stock import piece_id
+from sitewright.building_model.matching import material_type_of
 from sitewright.building_model.model import BuildingModel, RelationKind
 from sitewright.building_model.shapes import shape_of
 from sitewright.foundation.ids import ComponentId
@@ -198,3 +199,15 @@ def test_beams_that_overlap_have_no_way_in_and_that_is_told() -> None:
 
 def test_the_same_model_gives_the_same_facts() -> None:
     assert infer_assembly(portal()) == infer_assembly(portal())
+
+
+def test_equal_pieces_may_be_swapped_without_burying_what_is_wanted_earlier() -> None:
+    model = inferred(portal())
+    wanted: dict[object, list[int]] = {}
+    for number, name in enumerate(order(model)):
+        wanted.setdefault(material_type_of(get(model, name)), []).append(number)
+    for stack in model.stacks:
+        kinds = [material_type_of(get(model, i)) for i in stack.items]
+        for k, below in enumerate(kinds):
+            others = [above for above in kinds[k + 1 :] if above != below]
+            assert all(max(wanted[above]) < min(wanted[below]) for above in others)

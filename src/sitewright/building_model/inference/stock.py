@@ -9,6 +9,7 @@ from sitewright.building_model.component import BoxGeometry, Component, Layer, O
 from sitewright.building_model.inference.facing import Surroundings, side_of, turn_of
 from sitewright.building_model.inference.order import Arrival
 from sitewright.building_model.inference.statics import Statics
+from sitewright.building_model.matching import MaterialType, material_type_of
 from sitewright.building_model.model import Stack
 from sitewright.foundation.ids import ComponentId, StackId, StockPlaceId
 from sitewright.foundation.pose import Pose, Vector, dot, subtract, translation
@@ -48,6 +49,8 @@ class _Pile:
     is_first_place: bool
     height_m: float = 0.0
     top_length_m: float = float("inf")
+    first_use: int = 1_000_000
+    top_type: MaterialType | None = None
     pieces: list[Component] = field(default_factory=list)
 
 
@@ -65,6 +68,7 @@ def stock_for(
     first lies on top.
     """
     piles = {side: _piles(layout, side) for side in "ab"}
+    uses = _uses(components, coming)
     for number in range(len(coming) - 1, -1, -1):
         arrival = coming[number]
         target = components[arrival.id]
@@ -73,7 +77,7 @@ def stock_for(
         wants_first = (
             dot(subtract(target.world_T_component.position_m, around.middle_m), around.along) <= 0.0
         )
-        _lay(piles[side], target, turn, wants_first=wants_first)
+        _lay(piles[side], target, turn, uses, wants_first=wants_first)
     used = [pile for side in "ab" for pile in piles[side] if pile.pieces]
     return [piece for pile in used for piece in pile.pieces], [_stack(pile) for pile in used]
 
@@ -97,7 +101,32 @@ def _piles(layout: StockLayout, side: str) -> list[_Pile]:
     ]
 
 
-def _lay(piles: Iterable[_Pile], target: Component, turn: Pose, *, wants_first: bool) -> None:
+def _uses(
+    components: Mapping[ComponentId, Component], coming: Sequence[Arrival]
+) -> dict[MaterialType, tuple[int, int]]:
+    """Return when pieces of each kind are used: first and last."""
+    uses: dict[MaterialType, tuple[int, int]] = {}
+    for arrival in coming:
+        kind = material_type_of(components[arrival.id])
+        first, last = uses.get(kind, (arrival.number, arrival.number))
+        uses[kind] = (min(first, arrival.number), max(last, arrival.number))
+    return uses
+
+
+def _lay(
+    piles: Iterable[_Pile],
+    target: Component,
+    turn: Pose,
+    uses: Mapping[MaterialType, tuple[int, int]],
+    *,
+    wants_first: bool,
+) -> None:
+    """Put a piece on the pile where it is long enough borne and blocks nothing.
+
+    Equal pieces serve each other's targets, so that a piece may stay until the last target of its
+    kind: what lies under it must not be wanted before.
+    """
+    kind = material_type_of(target)
     assert isinstance(target.geometry, BoxGeometry)  # noqa: S101 - solids are boxes
     size_m: Vector = target.geometry.size_m
     thickness_m = size_m[2] if abs(turn.z_axis[2]) > abs(turn.y_axis[2]) else size_m[1]
@@ -105,6 +134,7 @@ def _lay(piles: Iterable[_Pile], target: Component, turn: Pose, *, wants_first: 
         piles,
         key=lambda p: (
             p.top_length_m < _BEARS * size_m[0],
+            p.top_type != kind and uses[kind][1] > p.first_use,
             round(p.height_m, 4),
             p.is_first_place != wants_first,
         ),
@@ -130,6 +160,8 @@ def _lay(piles: Iterable[_Pile], target: Component, turn: Pose, *, wants_first: 
     )
     pile.height_m += thickness_m
     pile.top_length_m = size_m[0]
+    pile.first_use = min(pile.first_use, uses[kind][0])
+    pile.top_type = kind
 
 
 def _stack(pile: _Pile) -> Stack:
