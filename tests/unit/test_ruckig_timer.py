@@ -103,6 +103,14 @@ def test_a_turning_point_on_one_line_is_a_stop() -> None:
     assert trajectory.end_rad == c
 
 
+def test_a_joint_that_hardly_moves_does_not_disturb() -> None:
+    a, b = ((0.0,) * 6, (1.0, 5e-324, 0.0, 1e-300, 0.0, 0.0))
+    trajectory = RuckigTimer().time(path((a, b)), LIMITS).trajectory
+    alone = RuckigTimer().time(path((a, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0))), LIMITS).trajectory
+    assert trajectory.duration_s == alone.duration_s
+    assert trajectory.end_rad == b
+
+
 def test_standing_still_takes_no_time() -> None:
     timed = RuckigTimer().time(path(((0.3,) * 6, (0.3,) * 6)), LIMITS)
     assert timed.trajectory.duration_s == 0.0

@@ -18,6 +18,8 @@ _SAME_POSTURE_RAD = 1e-12
 _STRAIGHT_RAD = 1e-12
 """A waypoint this near to the line of its neighbours is passed without a stop."""
 _NO_TIME_S = 1e-12
+_HARDLY = 1e-9
+"""Joints that travel so much less than another one are far from their own limits."""
 
 
 class RuckigTimer(Timer):
@@ -144,5 +146,5 @@ def _law(change: Array, limits: JointLimits) -> _Law:
 
 def _share_limit(limit: Joints, travel: Array) -> float:
     """Return the limit on the share of a line under which every joint keeps its own limit."""
-    moving = travel > 0.0
+    moving = travel > _HARDLY * travel.max()
     return float((np.array(limit, dtype=np.float64)[moving] / travel[moving]).min())
