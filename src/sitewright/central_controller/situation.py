@@ -234,15 +234,19 @@ def _fixtures_at(cell: Cell, shape: Shape, world_T_shape: Pose) -> tuple[BodyId,
 def _insertions(
     design: Design, component: Component, world_T_target: Pose
 ) -> tuple[Insertion, ...]:
-    """Return the ways in: the stated or inferred one, else from above, then from its own sides."""
+    """Return the ways in: the stated or inferred one, then from above, then its own sides.
+
+    A stated way only says what is tried first: the proof decides which one is clear.
+    """
+    first: tuple[Insertion, ...] = ()
     stated = component.ext.get(INSERTION)
     if isinstance(stated, Mapping):
         come_from = design.cell.world_T_model.turn(_vector(stated["from"]))
-        return (Insertion(come_from=come_from, slide_m=float(str(stated["slide_m"]))),)
+        first = (Insertion(come_from=come_from, slide_m=float(str(stated["slide_m"]))),)
     axes = (world_T_target.x_axis, world_T_target.y_axis, world_T_target.z_axis)
     sides = [scale(axis, sign) for axis in axes for sign in (1.0, -1.0)]
     level = [Insertion(come_from=s) for s in sides if -_LEVEL < s[2] < 1.0 - _LEVEL]
-    return (Insertion(), *level)
+    return (*first, Insertion(), *level)
 
 
 def _vector(value: Json) -> Vector:
