@@ -16,6 +16,7 @@ from typing_extensions import override
 
 from sitewright.journal.blobs import BlobStore
 from sitewright.journal.errors import (
+    JournalBusyError,
     JournalCorruptError,
     JournalFullError,
     JournalTooNewError,
@@ -301,3 +302,18 @@ def test_a_blob_is_found_by_its_hash_and_a_changed_one_is_refused(tmp_path: Path
         store.get(digest)
     with pytest.raises(JournalCorruptError, match="cannot be read"):
         store.get("0" * 64)
+
+
+def test_a_journal_that_is_locked_is_busy_and_not_corrupt(
+    filled: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sitewright.journal.sqlite._BUSY_MS", 20)
+    other = apsw.Connection(str(filled))
+    other.execute("PRAGMA locking_mode=exclusive; BEGIN EXCLUSIVE").fetchall()
+    try:
+        for look in (read_records, SqliteJournal):
+            with pytest.raises(JournalBusyError, match="locked"):
+                look(filled)
+    finally:
+        other.close()
+    assert read_records(filled)

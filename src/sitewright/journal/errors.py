@@ -28,6 +28,17 @@ class JournalTooNewError(JournalError):
         )
 
 
+class JournalBusyError(JournalError):
+    """Another process holds the database for longer than we wait."""
+
+    exit_code = 9
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(
+            f"{path}: another process has the journal locked. Wait for it and try again."
+        )
+
+
 class JournalFullError(JournalError):
     """No space, or the disk does not write."""
 

@@ -10,6 +10,7 @@ from typing import Any, Self
 import apsw
 
 from sitewright.journal.errors import (
+    JournalBusyError,
     JournalCorruptError,
     JournalFullError,
     JournalTooNewError,
@@ -31,6 +32,7 @@ _NOT_TRUSTED = (
     UnicodeDecodeError,
     TypeError,
 )
+_BUSY = (apsw.BusyError, apsw.LockedError)
 _NOT_WRITTEN = (apsw.FullError, apsw.IOError, apsw.CantOpenError, apsw.ReadOnlyError, OSError)
 
 
@@ -59,6 +61,9 @@ class SqliteJournal:
         except _NOT_WRITTEN as error:
             self._db.close(force=True)
             raise JournalFullError(path, str(error)) from error
+        except _BUSY as error:
+            self._db.close(force=True)
+            raise JournalBusyError(path) from error
         except BaseException:
             self._db.close(force=True)
             raise
@@ -79,6 +84,8 @@ class SqliteJournal:
             self._insert(record)
         except apsw.ConstraintError as error:
             raise RefusedByJournalError(self.path, entry.kind, str(error)) from error
+        except _BUSY as error:
+            raise JournalBusyError(self.path) from error
         except _NOT_WRITTEN as error:
             self._recover(record, error)
         self._head, self._seq = record.hash, record.seq
@@ -122,6 +129,9 @@ class SqliteJournal:
         except _NOT_WRITTEN as error:
             db.close(force=True)
             raise JournalFullError(self.path, str(error)) from error
+        except _BUSY as error:
+            db.close(force=True)
+            raise JournalBusyError(self.path) from error
         return db
 
     def _is_blank(self) -> bool:
@@ -195,12 +205,15 @@ def read_records(path: Path) -> tuple[Record, ...]:
     try:
         db = apsw.Connection(str(path), flags=apsw.SQLITE_OPEN_READONLY)
         try:
+            db.set_busy_timeout(_BUSY_MS)  # another reader may be recovering the log of a crash
             blank = not db.execute("SELECT 1 FROM sqlite_schema LIMIT 1").fetchall()
             rows = [] if blank else db.execute(f"{_SELECT} ORDER BY seq").fetchall()
         finally:
             db.close(force=True)
         records = tuple(_record(row) for row in rows)
         problem = broken_link(records)
+    except _BUSY as error:
+        raise JournalBusyError(path) from error
     except (*_NOT_TRUSTED, apsw.Error) as error:
         raise JournalCorruptError(path, str(error)) from error
     if problem:
