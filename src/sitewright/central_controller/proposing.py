@@ -37,7 +37,6 @@ from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.construction_graph.queries import accessible_materials, is_ready
 from sitewright.construction_graph.queue import target_queue
 from sitewright.foundation.ids import ComponentId, RobotId
-from sitewright.planning_twin.feedback import in_words
 from sitewright.planning_twin.jobsite import Jobsite, PieceShape
 from sitewright.planning_twin.recheck import recertify
 from sitewright.planning_twin.refusal import StaleCertificate
@@ -45,6 +44,7 @@ from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal, 
 from sitewright.planning_twin.skill_motions.stage import with_opening
 from sitewright.planning_twin.study import Study, study
 from sitewright.planning_twin.task import TwinContext
+from sitewright.planning_twin.wording import in_words
 from sitewright.robot_team.cell import Capability
 from sitewright.robot_team.skill import Skill, SkillCall
 from sitewright.symbolic_planning.grounding import GroundAction

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
+from sitewright.central_controller.blame import reason_for
 from sitewright.central_controller.ports import RefusalNote
 from sitewright.foundation.clock import Clock
 from sitewright.foundation.ids import ComponentId
-from sitewright.planning_twin.feedback import Lessons, in_words, learn
+from sitewright.planning_twin.feedback import Lessons, refused_call
 from sitewright.planning_twin.motion import PlanningBackends
 from sitewright.planning_twin.sequence import (
     PlannedSequence,
@@ -16,11 +17,13 @@ from sitewright.planning_twin.sequence import (
     plan_sequence,
 )
 from sitewright.planning_twin.skill_motions.stage import PlannedSkill
-from sitewright.planning_twin.study import Study, with_another_grasp
+from sitewright.planning_twin.study import Study, StudyRefusal, with_another_grasp
 from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import TwinContext
+from sitewright.planning_twin.wording import is_proof
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.domain import Domain
+from sitewright.symbolic_planning.nogood import Nogood, with_nogoods
 from sitewright.symbolic_planning.planner import NoPlan, SkillSequence, SymbolicPlanner
 from sitewright.symbolic_planning.problem import Problem, problem_for
 from sitewright.symbolic_planning.site_view import SiteView
@@ -97,22 +100,22 @@ def plan_target(
         watch: Where the time goes.
     """
     target = context.task.target
-    notes = [_study_note(target, r.fact, in_words(r.refusal), r.refusal) for r in study.refusals]
-    geometry, lessons = study.facts, Lessons()
+    notes = [_study_note(target, r) for r in study.refusals]
+    lessons = Lessons(base=study.base, nogoods=list(study.nogoods))
     tried: list[Holding] = []
     start = {robot: status.place for robot, status in view.robot_status.items()}
     known: tuple[tuple[SkillCall, PlannedSkill], ...] = ()
-    problem = problem_for(ports.domain, replace(view, geometry=geometry))
-    for round_number in range(MOST_ROUNDS):
+    for _ in range(MOST_ROUNDS):
         watch.start()
-        problem = problem_for(ports.domain, replace(view, geometry=geometry))
+        problem = problem_for(ports.domain, replace(view, geometry=lessons.facts))
         sequence = ports.symbolic.plan(problem)
         watch.stop("symbolic")
         if isinstance(sequence, NoPlan):
-            return _refused(problem, sequence, notes)
+            reason = _blame(ports, view, lessons, sequence, watch)
+            return _refused(problem, sequence, reason, lessons, notes)
         watch.start()
         result = plan_sequence(
-            replace(context, seed=context.seed + round_number),
+            replace(context, seed=context.seed + lessons.new_seeds),
             study,
             sequence.calls,
             start,
@@ -123,24 +126,20 @@ def plan_target(
             return TargetPlan(
                 problem=problem, sequence=sequence, motions=result, notes=tuple(notes)
             )
-        notes.append(_note(target, result))
+        notes.append(_note(target, result, sequence.calls))
+        watch.start()
         regrasped = _another_grasp(context, study, result, tried)
+        watch.stop("motion")
         if regrasped is not None:
-            study, known = regrasped, ()
-            geometry = replace(geometry, tacks=study.facts.tacks)
-            continue
-        lesson = learn(geometry, result, lessons, target)
-        if lesson is None:
-            return _stuck(problem, notes)
-        geometry = lesson.geometry
-        known = tuple(zip(sequence.calls[: result.number], result.planned, strict=True))
-    return TargetRefusal(
-        problem=problem,
-        reason=f"{MOST_ROUNDS} plans were refused by geometry; the last one: {notes[-1].reason}",
-        is_proven=False,
-        is_limit=True,
-        notes=tuple(notes),
-    )
+            study, known, lessons.base = regrasped, (), regrasped.base
+        elif lessons.learn(result, sequence.calls):
+            known = tuple(zip(sequence.calls[: result.number], result.planned, strict=True))
+        else:
+            return _given_up(
+                problem, f"{notes[-1].reason}; no other order or robot avoids it", notes
+            )
+    reason = f"{MOST_ROUNDS} plans were refused by geometry; the last one: {notes[-1].reason}"
+    return replace(_given_up(problem, reason, notes), is_limit=True)
 
 
 def _another_grasp(
@@ -174,47 +173,57 @@ def _still_valid(
         yield planned
 
 
-def _refused(problem: Problem, no: NoPlan, notes: list[RefusalNote]) -> TargetRefusal:
+def _blame(
+    ports: PlanningPorts, view: SiteView, lessons: Lessons, no: NoPlan, watch: Stopwatch
+) -> str:
+    """Return the fewest refusals that keep the target from being built."""
+
+    def is_solvable(nogoods: Sequence[Nogood]) -> bool:
+        geometry = with_nogoods(lessons.base, nogoods)
+        problem = problem_for(ports.domain, replace(view, geometry=geometry))
+        return not isinstance(ports.symbolic.plan(problem), NoPlan)
+
+    watch.start()
+    reason = reason_for(view.target, no.reason, lessons.nogoods, is_solvable)
+    watch.stop("symbolic")
+    return reason
+
+
+def _refused(
+    problem: Problem, no: NoPlan, reason: str, lessons: Lessons, notes: list[RefusalNote]
+) -> TargetRefusal:
     """A proof over facts is one over the site only if every fact taken away was proven."""
-    is_proven = no.is_proven and all(n.is_proven for n in notes)
-    because = "; ".join(dict.fromkeys(n.reason for n in notes))
-    reason = f"{no.reason} {because}".strip()
     return TargetRefusal(
         problem=problem,
         reason=reason,
-        is_proven=is_proven,
+        is_proven=no.is_proven and all(n.is_proven for n in lessons.nogoods),
         is_limit=not no.is_proven,
         notes=tuple(notes),
     )
 
 
-def _stuck(problem: Problem, notes: list[RefusalNote]) -> TargetRefusal:
+def _given_up(problem: Problem, reason: str, notes: list[RefusalNote]) -> TargetRefusal:
     return TargetRefusal(
-        problem=problem,
-        reason=f"{notes[-1].reason}; no other order or robot avoids it",
-        is_proven=False,
-        is_limit=False,
-        notes=tuple(notes),
+        problem=problem, reason=reason, is_proven=False, is_limit=False, notes=tuple(notes)
     )
 
 
-def _note(target: ComponentId, result: SequenceRefusal) -> RefusalNote:
-    refusal = result.cause.refusal
-    call = result.call
-    return RefusalNote(
-        target=target,
-        kind=type(refusal).__name__,
-        reason=f"{call.robot} {call.skill} {' '.join(call.arguments)}: {in_words(refusal)}",
-        is_proven=bool(getattr(refusal, "is_proven", False)),
-    )
-
-
-def _study_note(
-    target: ComponentId, fact: tuple[str, ...], words: str, refusal: object
+def _note(
+    target: ComponentId, refused: SequenceRefusal, calls: tuple[SkillCall, ...]
 ) -> RefusalNote:
+    refusal = refused.cause.refusal
     return RefusalNote(
         target=target,
         kind=type(refusal).__name__,
-        reason=f"not ({' '.join(fact)}): {words}",
-        is_proven=bool(getattr(refusal, "is_proven", True)),
+        reason=refused_call(refused, calls, scope="", attempt=1).evidence,
+        is_proven=is_proof(refusal),
+    )
+
+
+def _study_note(target: ComponentId, refused: StudyRefusal) -> RefusalNote:
+    return RefusalNote(
+        target=target,
+        kind=type(refused.refusal).__name__,
+        reason=refused.nogood.evidence,
+        is_proven=refused.nogood.is_proven,
     )

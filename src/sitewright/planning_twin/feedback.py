@@ -5,174 +5,140 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field, replace
 
-from sitewright.foundation.ids import ComponentId, EndEffectorId, RobotId
-from sitewright.planning_twin.refusal import (
-    BlockedBy,
-    Disagreement,
-    NoGrasp,
-    NoIk,
-    NoPath,
-    NotClear,
-    PayloadExceeded,
-    Refusal,
-    WorkerFailed,
-)
+from sitewright.foundation.ids import ComponentId
+from sitewright.planning_twin.refusal import BlockedBy, NotClear, Refusal
+from sitewright.planning_twin.scene import Pair
+from sitewright.planning_twin.scope import scope_of
 from sitewright.planning_twin.sequence import SequenceRefusal
+from sitewright.planning_twin.wording import in_words, is_proof
 from sitewright.robot_team.skill import Skill, SkillCall
-from sitewright.symbolic_planning.site_view import GeometricFacts, PlaceId
+from sitewright.symbolic_planning.nogood import (
+    Nogood,
+    RefusedCall,
+    nogoods_of,
+    purpose,
+    with_nogoods,
+)
+from sitewright.symbolic_planning.site_view import GeometricFacts
 
-_SLOWER = 4.0
-_PATIENCE = 2
-"""A call whose search just ended without a path loses its fact when it is refused so often."""
+_PLAIN_RETRIES = 2
+"""A motion that could not be certified is planned so often again before it is a fact."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Lesson:
-    """A change of the geometric facts that a refusal taught.
+@dataclass(slots=True)
+class Lessons:
+    """What the refusals of one target have taught so far.
 
     Attributes:
-        facts: Facts taken away (``-``) or added (``+``), in site ids, for people.
-        new_seed: The same call is worth another try with another seed.
+        base: Facts without any refusal.
+        nogoods: Those of the batch check, then those of refused motions.
+        new_seeds: So many refusals ask for another seed rather than for another plan.
     """
 
-    geometry: GeometricFacts
-    facts: tuple[str, ...]
-    new_seed: bool = False
+    base: GeometricFacts
+    nogoods: list[Nogood]
+    new_seeds: int = 0
+    _count: Counter[tuple[SkillCall, str]] = field(default_factory=Counter)
+
+    @property
+    def facts(self) -> GeometricFacts:
+        """The facts as all that was learned leaves them."""
+        return with_nogoods(self.base, self.nogoods)
+
+    def learn(self, refused: SequenceRefusal, calls: tuple[SkillCall, ...]) -> bool:
+        """Take in a refusal; tell whether there is anything left to try.
+
+        Args:
+            refused: The first call of the plan that geometry did not allow.
+            calls: The whole plan.
+        """
+        scope = _scope(refused)
+        self._count[refused.call, scope] += 1
+        attempt = self._count[refused.call, scope]
+        call = refused_call(refused, calls, scope=scope, attempt=attempt)
+        proof = is_proof(refused.cause.refusal)
+        learned = [replace(n, is_proven=n.is_proven and proof) for n in nogoods_of(call)]
+        if not learned or (not proof and attempt == 1 and call.blocking_robot is None):
+            self.new_seeds += 1
+        before = self.facts
+        self.nogoods += [n for n in learned if n not in self.nogoods]
+        return not learned or self.facts != before or attempt == 1
 
 
-@dataclass(frozen=True, slots=True)
-class Lessons:
-    """How often each call was refused without a proof."""
-
-    count: Counter[SkillCall] = field(default_factory=Counter)
-
-
-def learn(
-    geometry: GeometricFacts, refused: SequenceRefusal, lessons: Lessons, target: ComponentId
-) -> Lesson | None:
-    """Return the facts after a refusal, or None if it cannot be said in facts.
-
-    Args:
-        geometry: Facts that the refused plan was made with.
-        refused: The first call that geometry did not allow.
-        lessons: Unproven refusals so far; counted up here.
-        target: The active target.
-    """
+def refused_call(
+    refused: SequenceRefusal, calls: tuple[SkillCall, ...], *, scope: str, attempt: int
+) -> RefusedCall:
+    """Return a refusal in plain values, as the symbolic planner takes it."""
     call, refusal = refused.call, refused.cause.refusal
+    act = purpose(calls, refused.number)
+    arm = refused.site.arms[call.robot]
+    piece = next((ComponentId(a) for a in act.arguments if a in refused.site.pieces), arm.held)
+    is_lift = call.skill == Skill.RETRACT and arm.held is not None
     other = refused.blocking_robot
     where = None if other is None else refused.place_by_robot.get(other)
-    if other is not None and where is not None:
-        return _exclude(geometry, call, other, where, refused)
-    if _is_final(refusal):
-        return _take_away(geometry, refused, target)
-    lessons.count[call] += 1
-    if lessons.count[call] < _PATIENCE:
-        return _slow_down(geometry, call)
-    return _take_away(geometry, refused, target)
-
-
-def _is_final(refusal: Refusal) -> bool:
-    match refusal:
-        case NoIk(is_proven=is_proven) | NoGrasp(is_proven=is_proven):
-            return is_proven
-        case BlockedBy() | PayloadExceeded():
-            return True
-        case NotClear() | Disagreement():
-            return False
-        case _:
-            return False
-
-
-def _exclude(
-    geometry: GeometricFacts,
-    call: SkillCall,
-    other: RobotId,
-    where: PlaceId,
-    refused: SequenceRefusal,
-) -> Lesson | None:
-    """One robot is in the other's way: they must not be at these two places together."""
-    place = call.arguments[0] if call.skill == Skill.REACH else _place_of(call, refused)
-    if place is None:
-        return None
-    added = {(call.robot, place, where), (other, where, place)}
-    if added <= geometry.excludes:
-        return None
-    return Lesson(
-        geometry=replace(geometry, excludes=geometry.excludes | added),
-        facts=tuple(f"+ (excludes {' '.join(a)})" for a in sorted(added)),
+    kind, attempt = _as_last_resort(refusal, attempt, is_known=where is not None)
+    return RefusedCall(
+        kind=kind,
+        skill=Skill.GRASP if is_lift else act.skill,
+        robot=call.robot,
+        place=_place(refused),
+        end_effector=arm.mounted,
+        piece=piece,
+        is_proven=is_proof(refusal),
+        blocking_robot=other,
+        blocking_place=where,
+        attempt=attempt,
+        evidence=sentence(act, _place(refused), piece, refusal),
+        scope=scope,
     )
 
 
-def _place_of(call: SkillCall, refused: SequenceRefusal) -> PlaceId | None:
-    return refused.place_by_robot.get(call.robot)
+def _as_last_resort(refusal: Refusal, attempt: int, *, is_known: bool) -> tuple[str, int]:
+    """Return kind and attempt; what stays uncertified counts as blocked, or as without a path."""
+    kind = type(refusal).__name__
+    if not isinstance(refusal, NotClear) or attempt <= _PLAIN_RETRIES:
+        return kind, attempt
+    return "BlockedBy" if is_known else "NoPath", attempt - _PLAIN_RETRIES
 
 
-def _slow_down(geometry: GeometricFacts, call: SkillCall) -> Lesson:
-    if call.skill != Skill.REACH:
-        return Lesson(geometry=geometry, facts=(), new_seed=True)
-    key = (call.robot, call.arguments[0])
-    slower = geometry.reach_time_s.get(key, 1.0) * _SLOWER
-    times = {**geometry.reach_time_s, key: slower}
-    return Lesson(
-        geometry=replace(geometry, reach_time_s=times),
-        facts=(f"(reach-time {key[0]} {key[1]}) x 4",),
-        new_seed=True,
-    )
-
-
-def _take_away(
-    geometry: GeometricFacts, refused: SequenceRefusal, target: ComponentId
-) -> Lesson | None:
-    """The call is impossible as things are: its geometric precondition is false."""
+def _place(refused: SequenceRefusal) -> str:
+    """Return where the motion goes to, or where the robot is."""
     call = refused.call
-    place = call.arguments[0] if call.skill == Skill.REACH else _place_of(call, refused)
-    arm = refused.site.arms[call.robot]
-    if arm.held is not None and place == target:
-        fact = (call.robot, arm.held, target)
-        if fact in geometry.can_place:
-            left = geometry.can_place - {fact}
-            return _without("can-place", fact, replace(geometry, can_place=left))
-    piece = next((a for a in call.arguments if a in refused.site.pieces), None)
-    if call.skill == Skill.GRASP and piece is not None and arm.mounted is not None:
-        grasp = (call.robot, EndEffectorId(arm.mounted), ComponentId(piece))
-        left_grasps = geometry.can_grasp - {grasp}
-        return _without("can-grasp", grasp, replace(geometry, can_grasp=left_grasps))
-    if place is None or (call.robot, place) not in geometry.can_reach:
-        return None
-    reach = geometry.can_reach - {(call.robot, place)}
-    return _without("can-reach", (call.robot, place), replace(geometry, can_reach=reach))
+    if call.skill in (Skill.REACH, Skill.RETRACT):
+        return call.arguments[0]
+    return refused.place_by_robot.get(call.robot) or call.arguments[0]
 
 
-def _without(name: str, fact: tuple[str, ...], geometry: GeometricFacts) -> Lesson:
-    return Lesson(geometry=geometry, facts=(f"- ({name} {' '.join(fact)})",))
+def _scope(refused: SequenceRefusal) -> str:
+    names = {name for pair in _pairs(refused.cause.refusal) for name in pair}
+    return scope_of(
+        refused.site, refused.call.robot, (refused.call.skill, *refused.call.arguments), names
+    )
 
 
-def in_words(refusal: Refusal) -> str:
-    """Return a refusal as a sentence for people."""
+def _pairs(refusal: Refusal) -> tuple[Pair, ...]:
     match refusal:
-        case NoIk() | NoGrasp() | PayloadExceeded():
-            return _impossible(refusal)
-        case BlockedBy(pairs=pairs, reason=reason):
-            listed = ", ".join(f"{a} and {b}" for a, b in pairs[:3])
-            return f"{reason or 'every posture collides'}: {listed}"
-        case NotClear(pair=(a, b), distance_m=d, threshold_m=t):
-            return f"{a} and {b} come to {d * 1000:.1f} mm, allowed {t * 1000:.1f} mm"
-        case Disagreement(pair=(a, b), distance_m=d):
-            return f"the cross-check sees {a} and {b} at {d * 1000:.1f} mm"
-        case NoPath(nodes=nodes, reason=reason):
-            return reason or f"no path was found within {nodes} nodes"
-        case WorkerFailed(task=task, exit_status=status):
-            return f"the planning process of {task} died with {status}"
+        case BlockedBy(pairs=pairs):
+            return pairs
+        case NotClear(pair=pair):
+            return (pair,)
+        case _:
+            return ()
 
 
-def _impossible(refusal: NoIk | NoGrasp | PayloadExceeded) -> str:
-    match refusal:
-        case NoIk(extension_m=extension, is_proven=True) if extension < 0:
-            return f"out of reach by {-extension * 1000:.0f} mm (proven)"
-        case NoIk(reason=reason, is_proven=is_proven):
-            proof = "proven" if is_proven else "not proven"
-            return f"no posture reaches it ({proof}){f': {reason}' if reason else ''}"
-        case NoGrasp(reason=reason):
-            return reason
-        case PayloadExceeded(mass_kg=mass, payload_kg=limit):
-            return f"{mass:.0f} kg with the end effector, the arm carries {limit:.0f} kg"
+def sentence(act: SkillCall, place: str, piece: ComponentId | None, refusal: Refusal) -> str:
+    """Return what cannot be done, by whom and why."""
+    match act.skill:
+        case Skill.GRASP:
+            what = f"take {piece} at {place}"
+        case Skill.POSITION:
+            what = f"place {piece} at {place}"
+        case Skill.SET_DOWN:
+            what = f"set {piece} down at {place}"
+        case Skill.RETRACT:
+            what = f"leave {place}"
+        case Skill.RELEASE:
+            what = f"let go of {piece or place}"
+        case _:
+            what = f"reach {place}"
+    return f"{act.robot} cannot {what}: {in_words(refusal)}"

@@ -25,9 +25,9 @@ from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
 
 _TACKS = "fasten while held"
-_PATIENCE = 8
+_PATIENCE = 6
 """So many ways to hold may let too few fasteners be driven before the search takes strides."""
-_SPREAD = 16
+_SPREAD = 8
 """Then it looks at about so many grasps of all."""
 
 

@@ -104,7 +104,7 @@ def _plain(scene: SceneSnapshot) -> dict[str, Json]:
         for robot, arm in scene.robots.items()
     }
     bodies: dict[str, Json] = {
-        i: [_shape_hash(b.shape), _placement(b.placement)] for i, b in scene.bodies.items()
+        i: [shape_hash(b.shape), _placement(b.placement)] for i, b in scene.bodies.items()
     }
     return {"robots": robots, "bodies": bodies, "clearance_m": scene.clearance_m}
 
@@ -127,7 +127,8 @@ def _same_text(numbers: Iterable[float]) -> list[float]:
 
 
 @lru_cache(maxsize=1024)
-def _shape_hash(shape: Shape) -> str:
+def shape_hash(shape: Shape) -> str:
+    """Return the SHA-256 of a shape; equal shapes have equal hashes."""
     return sha256_hex(canonical_json([_plain_part(part) for part in shape]))
 
 
@@ -141,7 +142,7 @@ def _plain_part(part: ConvexPart) -> Json:
 
 @lru_cache(maxsize=64)
 def _description_hash(description: Description) -> str:
-    links: list[Json] = [[link.name, _shape_hash(link.shape)] for link in description.links]
+    links: list[Json] = [[link.name, shape_hash(link.shape)] for link in description.links]
     joints: list[Json] = [
         [j.name, j.kind, j.parent, j.child, _numbers(j.parent_T_joint), _same_text(j.axis)]
         for j in description.joints

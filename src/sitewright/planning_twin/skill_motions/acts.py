@@ -20,7 +20,7 @@ from sitewright.planning_twin.skill_motions.stage import (
     pose_json,
     resting_contacts,
 )
-from sitewright.planning_twin.study import ACT_TIME_S
+from sitewright.planning_twin.skill_times import ACT_TIME_S
 from sitewright.planning_twin.task import declared
 from sitewright.robot_team.gripper import finger_parts
 from sitewright.robot_team.skill import Skill, SkillCall
