@@ -33,6 +33,7 @@ _LEVEL = 0.2
 INSERTION = "insertion"
 """Key of `Component.ext` for the way in: ``{"from": [x, y, z], "slide_m": s}``, model frame."""
 _TOUCHING_M = 0.002
+_LONGEST_SLIDE_M = 0.3
 _FASTENING = (Process.NAIL, Process.SCREW, Process.DRILL)
 
 
@@ -244,9 +245,12 @@ def _insertions(
         come_from = design.cell.world_T_model.turn(_vector(stated["from"]))
         first = (Insertion(come_from=come_from, slide_m=float(str(stated["slide_m"]))),)
     axes = (world_T_target.x_axis, world_T_target.y_axis, world_T_target.z_axis)
-    sides = [scale(axis, sign) for axis in axes for sign in (1.0, -1.0)]
-    level = [Insertion(come_from=s) for s in sides if -_LEVEL < s[2] < 1.0 - _LEVEL]
-    return (*first, Insertion(), *level)
+    depths = zip(axes, size_of(component), strict=True)
+    sides = [(scale(axis, sign), depth_m) for axis, depth_m in depths for sign in (1.0, -1.0)]
+    level = [(s, depth_m) for s, depth_m in sides if -_LEVEL < s[2] < 1.0 - _LEVEL]
+    straight = [Insertion(come_from=s) for s, _ in level]
+    sliding = [Insertion(come_from=s, slide_m=d) for s, d in level if d < _LONGEST_SLIDE_M]
+    return (*first, Insertion(), *straight, *sliding)
 
 
 def _vector(value: Json) -> Vector:
