@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -13,6 +12,7 @@ Matrix3 = tuple[Vector, Vector, Vector]
 Matrix4: TypeAlias = tuple[tuple[float, ...], ...]
 
 _UNIT_TOLERANCE = 1e-6
+_ROTATION_TOLERANCE = 4e-6
 _PARALLEL = 1e-6
 _STEEP = 0.9
 
@@ -145,11 +145,12 @@ class Pose:
     @staticmethod
     def from_matrix(rows: Matrix4) -> Pose:
         """Build a pose from a homogeneous matrix; one that is no rotation is a ValueError."""
-        x, y, z, position = (_vector(rows[i][j] for i in range(3)) for j in range(4))
-        lengths = (abs(norm(a) - 1.0) for a in (x, y, z))
-        if not max(*lengths, distance(cross(x, y), z)) <= _UNIT_TOLERANCE:
+        (xx, yx, zx, px), (xy, yy, zy, py), (xz, yz, zz, pz) = rows[:3]
+        x, y, z = (xx, xy, xz), (yx, yy, yz), (zx, zy, zz)
+        off = abs(dot(x, x) - 1.0) + abs(dot(y, y) - 1.0) + distance(cross(x, y), z)
+        if not off <= _ROTATION_TOLERANCE:
             raise ValueError(f"the upper left of {rows} is no rotation")
-        return Pose(position, _quaternion_of(_columns(x, y, z)))
+        return Pose((px, py, pz), _quaternion_of(_columns(x, y, z)))
 
     @staticmethod
     def from_rpy(position_m: Vector, rpy_rad: Vector) -> Pose:
@@ -209,11 +210,6 @@ def _rotate(q: Quaternion, v: Vector) -> Vector:
     u = (q[1], q[2], q[3])
     t = scale(cross(u, v), 2.0)
     return add(add(v, scale(t, q[0])), cross(u, t))
-
-
-def _vector(numbers: Iterable[float]) -> Vector:
-    x, y, z = (float(n) for n in numbers)
-    return (x, y, z)
 
 
 def _columns(x: Vector, y: Vector, z: Vector) -> Matrix3:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from sitewright.foundation.ids import RobotId
@@ -107,37 +107,60 @@ class Reaching:
         )
 
 
-def approaches(
-    reaching: Reaching, touch: Touch, near_rad: Joints
-) -> list[Approach] | NoIk | BlockedBy:
-    """Return every clear approach to a touch, the nearest posture first, or why there is none.
+@dataclass(slots=True)
+class Approaches:
+    """The clear approaches to a touch, looked for one at a time, the nearest posture first.
 
-    Args:
+    Attributes:
         reaching: Robot, scene and backends.
         touch: The contact pose with its freedoms fixed.
         near_rad: Posture that the motion comes from.
+        found: How many were found so far.
     """
-    postures = reaching.solve(touch.world_T_tip, near_rad)
-    if isinstance(postures, NoIk):
-        return postures
-    found: list[Approach] = []
-    blocked: dict[Joints, tuple[Pair, ...]] = {}
-    lost: NoIk | None = None
-    for contact_rad in postures:
+
+    reaching: Reaching
+    touch: Touch
+    near_rad: Joints
+    found: int = 0
+    _blocked: dict[Joints, tuple[Pair, ...]] = field(default_factory=dict)
+    _lost: NoIk | None = None
+
+    def __iter__(self) -> Iterator[Approach]:
+        """Yield the approaches whose ends are clear; their lines are not proven yet."""
+        postures = self.reaching.solve(self.touch.world_T_tip, self.near_rad)
+        if isinstance(postures, NoIk):
+            self._lost = postures
+            return
+        for contact_rad in postures:
+            approach = self._approach(contact_rad)
+            if approach is not None:
+                self.found += 1
+                yield approach
+
+    def why_not(self) -> NoIk | BlockedBy:
+        """Return why there is none, once all were looked for."""
+        if self._blocked:
+            return BlockedBy(pairs=min(self._blocked.values(), key=len))
+        return self._lost or NoIk(
+            is_proven=False, reason="no branch of the inverse kinematics holds"
+        )
+
+    def _approach(self, contact_rad: Joints) -> Approach | None:
         shape = without_turns(contact_rad)
-        if shape in blocked:
-            continue
-        if pairs := reaching.violations(contact_rad, touch.near_m):
-            blocked[shape] = pairs
-            continue
-        approach = straight_approach(reaching, touch, contact_rad)
+        if shape in self._blocked:
+            return None
+        if pairs := self.reaching.violations(contact_rad, self.touch.near_m):
+            self._blocked[shape] = pairs
+            return None
+        approach = straight_approach(self.reaching, self.touch, contact_rad)
         if isinstance(approach, NoIk):
-            lost = approach
-        elif pairs := reaching.violations(approach.pre_rad, touch.free_m, is_padded=True):
-            blocked[shape] = pairs
-        else:
-            found.append(approach)
-    return found or _why_not(list(blocked.values()), lost)
+            self._lost = approach
+            return None
+        free_m = self.touch.free_m
+        if pairs := self.reaching.violations(approach.pre_rad, free_m, is_padded=True):
+            self._blocked[shape] = pairs
+            return None
+        return approach
 
 
 def without_turns(q_rad: Joints) -> Joints:
@@ -160,9 +183,3 @@ def straight_approach(reaching: Reaching, touch: Touch, contact_rad: Joints) -> 
             return free
         segments.insert(0, PathSegment(waypoints_rad=free[::-1], threshold_m=dict(touch.free_m)))
     return Approach(touch=touch, segments=tuple(segments))
-
-
-def _why_not(blocked: list[tuple[Pair, ...]], lost: NoIk | None) -> NoIk | BlockedBy:
-    if blocked:
-        return BlockedBy(pairs=min(blocked, key=len))
-    return lost or NoIk(is_proven=False, reason="no branch of the inverse kinematics holds")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
-from sitewright.planning_twin.approach import Approach, Reaching, approaches, straight_approach
+from sitewright.planning_twin.approach import Approach, Approaches, Reaching, straight_approach
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import Jobsite, scene_of, with_aperture
 from sitewright.planning_twin.motion import Certificate, JointPath, PathSegment
@@ -42,14 +42,13 @@ class GraspTrial:
     opened: Reaching
     carrying: Reaching
 
-    def picks(self) -> list[Approach]:
-        """Return the proven approaches to the piece where it lies, the nearest posture first."""
+    def picks(self) -> Iterator[Approach]:
+        """Yield the proven approaches to the piece where it lies, the nearest posture first."""
         task, at = self.context.task, self.context.site.world_T_piece[self.piece]
         touch = pick_touch(task, self.tool, self.piece, at, self.grasp)
-        found = approaches(self.opened, touch, self.robot.home_q_rad)
-        if not isinstance(found, list):
-            return []
-        return [a for a in found if is_proven(self.opened, a.segments)]
+        for approach in Approaches(self.opened, touch, self.robot.home_q_rad):
+            if is_proven(self.opened, approach.segments):
+                yield approach
 
     def can_lift(self, pick: Approach) -> bool:
         """Tell whether the piece can be lifted straight up after a pick."""
@@ -63,8 +62,7 @@ class GraspTrial:
         task = self.context.task
         for number, insertion in enumerate(task.insertions):
             touch = place_touch(task, self.tool, self.piece, self.grasp, insertion)
-            found = approaches(self.carrying, touch, self.robot.home_q_rad)
-            for approach in found if isinstance(found, list) else ():
+            for approach in Approaches(self.carrying, touch, self.robot.home_q_rad):
                 if is_proven(self.carrying, approach.segments):
                     yield number, approach
 

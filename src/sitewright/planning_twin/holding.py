@@ -142,15 +142,13 @@ def steadying(context: TwinContext, robot: Robot, piece: ComponentId) -> Holding
 def _serving(trial: GraspTrial, rank: int, dropped: Counter[str]) -> Iterator[Holding]:
     """Yield the holdings of one grasp: one for each clear posture at the target."""
     is_in_hand = trial.context.site.arms[trial.robot.id].held == trial.piece
-    picks = [] if is_in_hand else trial.picks()
-    pick = next((p for p in picks if trial.can_lift(p)), None)
+    pick = None if is_in_hand else next((p for p in trial.picks() if trial.can_lift(p)), None)
     if not is_in_hand and pick is None:
-        dropped["lift" if picks else "pick"] += 1
+        dropped["pick and lift"] += 1
         return
-    placements = list(trial.placements())
-    if not placements:
-        dropped["place"] += 1
-    for number, place in placements:
+    is_placed = False
+    for number, place in trial.placements():
+        is_placed = True
         if not trial.can_leave(place):
             dropped["let go"] += 1
             continue
@@ -163,6 +161,8 @@ def _serving(trial: GraspTrial, rank: int, dropped: Counter[str]) -> Iterator[Ho
             rank=rank,
             insertion=number,
         )
+    if not is_placed:
+        dropped["place"] += 1
 
 
 def _candidates(

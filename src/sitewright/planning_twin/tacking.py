@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from sitewright.foundation.ids import ComponentId, OperationId, RobotId
-from sitewright.planning_twin.approach import Reaching, approaches
+from sitewright.planning_twin.approach import Approaches, Reaching
 from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import Jobsite, scene_of, tool_for, with_tool
@@ -125,7 +125,7 @@ def can_drive(
     reaching = Reaching(backends=context.backends, scene=scene, robot=robot.id)
     for pose in tool_poses(spot, tool, has_yaw=False):
         touch = spot_touch(tool, piece, pose)
-        if isinstance(approaches(reaching, touch, robot.home_q_rad), list):
+        if next(iter(Approaches(reaching, touch, robot.home_q_rad)), None) is not None:
             return True
     return False
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from itertools import islice
 
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose
-from sitewright.planning_twin.approach import Approach, Reaching, Touch, approaches
+from sitewright.planning_twin.approach import Approach, Approaches, Reaching, Touch
 from sitewright.planning_twin.free_motion import FreeMotion, plan_free_motion
 from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import (
@@ -33,6 +34,8 @@ from sitewright.robot_team.description import Joints
 
 _MOST_MOTIONS = 4
 """So many approaches get a path search before the skill is refused."""
+_MOST_POSTURES = 2
+"""Postures of the arm that are tried for one contact pose."""
 _JERK_PER_ACCELERATION_HZ = 10.0
 _SAME_POSTURE_RAD = 1e-6
 
@@ -146,14 +149,13 @@ def reach_any(
             near_m={**resting, **touch.near_m},
             free_m={**resting, **touch.free_m},
         )
-        found = approaches(reaching, declared, stage.q_rad(robot))
-        if not isinstance(found, list):
-            refusals.append(found)
-            continue
-        serving = [a for a in found if serves(reaching, a)]
-        if not serving:
+        search = Approaches(reaching, declared, stage.q_rad(robot))
+        serving = list(islice((a for a in search if serves(reaching, a)), _MOST_POSTURES))
+        if not search.found:
+            refusals.append(search.why_not())
+        elif not serving:
             refusals.append(NoIk(is_proven=False, reason="no posture serves what follows"))
-        for approach in serving[:2]:
+        for approach in serving:
             motion = move_to(stage, robot, approach.pre_rad, approach.segments)
             if isinstance(motion, PlannedMotion):
                 return motion, approach
