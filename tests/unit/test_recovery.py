@@ -12,9 +12,11 @@ from pathlib import Path
 import pytest
 from typing_extensions import override
 
-from builders_run import Boundaries, Killed, Site, cell_dies, design
+from builders_run import A, Boundaries, Killed, Site, cell_dies, design
 from sitewright.app.run import RunResult, resolve, run_project
 from sitewright.app.run_folder import chain_events, chain_of, run_folders
+from sitewright.central_controller.cycle import folded
+from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.events import (
     AnyEvent,
     OperationDone,
@@ -210,6 +212,23 @@ def test_a_command_that_never_started_goes_out_again_under_the_same_id(tmp_path:
     verdicts = [e.verdict for e in events_of(site) if isinstance(e, SkillReconciled)]
     assert verdicts == ["never"]
     assert len(site.person.asked) == 2, "the approval still held"
+
+
+@pytest.mark.parametrize(("boundary", "place"), [(10, "piece-1"), (11, None)])
+def test_a_robot_that_was_stopped_keeps_its_place_only_if_it_never_moved(
+    tmp_path: Path, boundary: int, place: str | None
+) -> None:
+    """The third command is a reach; the cell dies before or after the robot moved."""
+    site = Site(tmp_path)
+    site.cell_life = Boundaries(die_at=boundary, error=cell_dies)
+    check_against_physics(site, run_project(site.ports(), site.options()))
+    state = CycleState(site=site.site)
+    for event in events_of(site):
+        state = folded(state, event)
+        if isinstance(event, SkillReconciled):
+            assert state.site.place_by_robot.get(A) == place
+            return
+    pytest.fail("the reach was not reconciled")
 
 
 def test_an_expired_approval_is_not_reissued_but_asked_for(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from sitewright.central_controller.events import ProposalMade, RunFinished, RunH
 from sitewright.central_controller.ports import Question, RefusalNote
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId, RunId
+from sitewright.robot_team.description import Joints
 from sitewright.robot_team.driver import SkillReport
 from sitewright.robot_team.skill import SkillCall
 
@@ -39,6 +40,8 @@ class Flight:
     Attributes:
         source: Where the outcome comes from: driver, ledger, sensors or person.
         has_deviated: A deviation after it is recorded already.
+        start_q_rad: Sensed posture of the robot when it started; empty if none was sensed.
+        start_place: Place of the robot then; an empty tuple if it was not known.
     """
 
     intent: SkillIntent
@@ -46,6 +49,8 @@ class Flight:
     report: SkillReport | None = None
     source: str = ""
     has_deviated: bool = False
+    start_q_rad: Joints = ()
+    start_place: tuple[str | None, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,28 +18,57 @@ from sitewright.robot_team.driver import SkillReport
 
 SkillEvent = SkillIntent | SkillOutcome | SkillReconciled | SkillReissued
 
+_SAME_RAD = 0.010
 _PHASE_BY_VERDICT: Mapping[str, Phase] = {"never": Phase.NEVER, "unknown": Phase.UNKNOWN}
 
 
-def after_skill_event(state: CycleState, event: SkillEvent) -> CycleState:
+def after_skill_event(  # noqa: PLR0911 -- one line per kind of event
+    state: CycleState, event: SkillEvent
+) -> CycleState:
     """Return the state after an event of a skill; repeated and late reports change nothing."""
     if isinstance(event, SkillIntent):
         started = state.started | {(event.approval_id, event.step)}
-        return replace(state, flight=Flight(intent=event), started=started)
+        return replace(state, flight=_flight(state, event), started=started)
     flight = state.flight
     if flight is None or flight.intent.command_id != event.command_id:
         return state  # a repeated or late report
     match event:
         case SkillReissued():
             return replace(state, flight=replace(flight, phase=Phase.STARTED))
+        case SkillOutcome() if flight.phase is Phase.ENDED:
+            return state
         case SkillOutcome(report=report, source=source):
             ended = replace(flight, phase=Phase.ENDED, report=report, source=source)
             return _robot_placed(replace(state, flight=ended, link_losses=0), ended)
         case SkillReconciled(verdict=verdict):
             phase = _PHASE_BY_VERDICT.get(verdict)
             if phase is None:
-                return _not_done(state, flight)
+                return _stayed(_not_done(state, flight), flight)
             return replace(state, flight=replace(flight, phase=phase))
+
+
+def _flight(state: CycleState, intent: SkillIntent) -> Flight:
+    robot, site = intent.call.robot, state.site
+    sensed = site.sensed.robots.get(robot) if site.sensed is not None else None
+    known = robot in site.place_by_robot
+    return Flight(
+        intent=intent,
+        start_q_rad=sensed.q_rad if sensed is not None else (),
+        start_place=(site.place_by_robot[robot],) if known else (),
+    )
+
+
+def _stayed(state: CycleState, flight: Flight) -> CycleState:
+    """Give a robot its place back if it is sensed where its motion should have started."""
+    robot, sensed = flight.intent.call.robot, state.site.sensed
+    now = sensed.robots.get(robot) if sensed is not None else None
+    if now is None or not flight.start_place or len(now.q_rad) != len(flight.start_q_rad):
+        return state
+    pairs = zip(now.q_rad, flight.start_q_rad, strict=True)
+    if any(abs(is_rad - was_rad) > _SAME_RAD for is_rad, was_rad in pairs):
+        return state
+    places = {**state.site.place_by_robot, robot: flight.start_place[0]}
+    return replace(state, site=replace(state.site, place_by_robot=places))
 
 
 def _robot_placed(state: CycleState, flight: Flight) -> CycleState:
@@ -85,6 +114,8 @@ def closed(state: CycleState, command_id: str) -> CycleState:
     if flight is None or flight.intent.command_id != command_id:
         return state
     state = replace(state, flight=None)
+    if flight.report is not None and not flight.report.is_done:
+        state = _stayed(state, flight)
     if state.proposal is None:
         return state
     done = flight.intent.step
