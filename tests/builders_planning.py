@@ -20,6 +20,7 @@ from sitewright.central_controller.situation import Design, piece_shapes
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.robot_team.cell import Cell
+from sitewright.robot_team.description import Joints
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 A, B = RobotId("kr120-a"), RobotId("kr120-b")
@@ -42,10 +43,28 @@ class Rehearsal:
         """Return the site after the first step of a target's proposal that fits."""
         context = self.before[target]
         for step in self.planned[target].proposal.steps:
-            context = after_step(context, step, target)
+            context = self._carried_along(context, after_step(context, step, target))
             if until(step):
                 return context
         raise AssertionError(f"no such step for {target}")
+
+    def _carried_along(self, before: SiteContext, after: SiteContext) -> SiteContext:
+        """Return the site after a step with the pieces in grippers moved along."""
+        for robot, state in before.observation.robots.items():
+            piece = state.gripped
+            if piece is None or after.observation.robots[robot].gripped != piece:
+                continue
+            was, now = (
+                self._tip(robot, c.observation.robots[robot].q_rad) for c in (before, after)
+            )
+            pose = now @ was.inverse() @ before.observation.world_T_piece[piece]
+            after = with_piece_at(after, piece, pose)
+        return after
+
+    def _tip(self, robot: RobotId, q_rad: Joints) -> Pose:
+        unit = self.proposals.design.cell.robot_by_id[robot]
+        kinematics = self.proposals.ports.backends.kinematics
+        return unit.world_T_base @ kinematics.tip(unit.description, q_rad)
 
     def steps(self, target: ComponentId, skill: str) -> list[ProposedStep]:
         """Return the steps of a target's proposal with a skill."""

@@ -68,7 +68,10 @@ def rehearsed(context: SiteContext, proposal: Proposal) -> SiteContext:
 
 
 def after_step(context: SiteContext, step: ProposedStep, target: ComponentId) -> SiteContext:
-    """Return the context as if one step had been carried out exactly."""
+    """Return the context as if one step had been carried out exactly.
+
+    A piece in a gripper is seen where it was taken until it is placed or laid down.
+    """
     robot = step.call.robot
     if step.motions:
         context = _with_robot(context, robot, q_rad=step.motions[-1].timed.path.end_rad)
