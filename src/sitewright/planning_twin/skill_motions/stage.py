@@ -122,12 +122,13 @@ def resting_contacts(stage: Stage, mover: RobotId) -> dict[Pair, float]:
         if robot == mover:
             continue
         pairs = stage.context.backends.collision.violations(scene, robot, arm.q_rad, {})
-        allowed = _may_touch(stage, robot)
+        allowed = may_touch(stage, robot)
         found.update({p: CONTACT_M for p in pairs if allowed(p)})
     return found
 
 
-def _may_touch(stage: Stage, robot: RobotId) -> Allowed:
+def may_touch(stage: Stage, robot: RobotId) -> Allowed:
+    """Return which pairs of a robot can be contacts at all, as the site is now."""
     tool = stage.context.tool_of(robot)
     held = stage.site.arms[robot].held
     return Allowed(

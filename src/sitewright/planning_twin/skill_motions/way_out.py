@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
-from sitewright.foundation.ids import BodyId, RobotId
+from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import scale
-from sitewright.planning_twin.approach import CONTACT_M, Approach, Touch, straight_approach
-from sitewright.planning_twin.jobsite import bodies_of_tool, scene_of
+from sitewright.planning_twin.approach import (
+    CONTACT_M,
+    NEIGHBOUR_M,
+    Approach,
+    Touch,
+    straight_approach,
+)
+from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import PathSegment
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.planning_twin.scene import Pair
-from sitewright.planning_twin.skill_motions.stage import Stage, resting_contacts
-from sitewright.planning_twin.task import UP, declared
+from sitewright.planning_twin.skill_motions.stage import (
+    Stage,
+    may_touch,
+    resting_contacts,
+)
+from sitewright.planning_twin.task import UP
 from sitewright.planning_twin.touches import lift_thresholds
 from sitewright.robot_team.gripper import mount_T_tcp
 
@@ -32,13 +42,12 @@ def stands_in_contact(stage: Stage, robot: RobotId) -> bool:
 def _touch_now(stage: Stage, robot: RobotId) -> Touch:
     task, tool, arm = stage.context.task, stage.tool(robot), stage.site.arms[robot]
     world_T_tip = stage.tip(robot)
-    resting = resting_contacts(stage, robot)
+    resting, near = resting_contacts(stage, robot), _contacts_now(stage, robot)
     if arm.held is not None:
-        near, direction = lift_thresholds(task, tool, arm.held), UP
+        near, direction = {**near, **lift_thresholds(task, tool, arm.held)}, UP
     else:
         world_T_tcp = world_T_tip @ mount_T_tcp(tool.description)
         direction = scale(world_T_tcp.z_axis, -1.0)
-        near = _touched_by_tool(stage, robot)
     return Touch(
         world_T_tip=world_T_tip,
         back_off=direction,
@@ -47,17 +56,17 @@ def _touch_now(stage: Stage, robot: RobotId) -> Touch:
     )
 
 
-def _touched_by_tool(stage: Stage, robot: RobotId) -> dict[Pair, float]:
-    """Return the pieces that an end effector stands at, and may brush while it leaves."""
-    own = bodies_of_tool(stage.tool(robot))
+def _contacts_now(stage: Stage, robot: RobotId) -> dict[Pair, float]:
+    """Return what a robot may touch where it stands, or be near to with a piece in hand.
+
+    It is looked for in the scene, because a robot can stand anywhere after an interruption.
+    """
+    allowed, held = may_touch(stage, robot), stage.site.arms[robot].held
     pairs = stage.context.backends.collision.violations(
         scene_of(stage.site), robot, stage.q_rad(robot), {}
     )
-    pieces = {BodyId(p) for p in stage.site.world_T_piece}
-    near = {
-        BodyId(other)
-        for a, b in pairs
-        for mine, other in ((a, b), (b, a))
-        if mine in own and other in pieces
+    return {
+        pair: CONTACT_M if held is None or held in pair else NEIGHBOUR_M
+        for pair in pairs
+        if allowed(pair)
     }
-    return declared(CONTACT_M, own, tuple(sorted(near)))
