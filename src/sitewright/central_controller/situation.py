@@ -11,6 +11,7 @@ from sitewright.building_model.shapes import extent_of, mass_of, shape_of, size_
 from sitewright.central_controller.ports import SiteContext
 from sitewright.construction_graph.graph import (
     JOBSITE,
+    NOWHERE,
     ConstructionGraph,
     MaterialNode,
     TargetNode,
@@ -300,9 +301,8 @@ def _place(design: Design, context: SiteContext, robot: RobotId, arm: ArmState) 
 
 def lies_at(graph: ConstructionGraph, pieces: tuple[ComponentId, ...]) -> dict[ComponentId, str]:
     """Return the stock place or buffer of each piece that lies on one."""
-    return {
-        p: node.place for p in pieces if isinstance(node := graph.node_by_id.get(p), MaterialNode)
-    }
+    nodes = ((p, graph.node_by_id.get(p)) for p in pieces)
+    return {p: n.place for p, n in nodes if isinstance(n, MaterialNode) and n.place != NOWHERE}
 
 
 def target_node(graph: ConstructionGraph, target: ComponentId) -> TargetNode:
