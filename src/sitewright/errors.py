@@ -20,6 +20,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 
+from typing_extensions import override
+
 
 class SitewrightError(Exception):
     """Base of all errors on purpose; `exit_code` is the command line's answer."""
@@ -70,7 +72,9 @@ class BackendError(SitewrightError):
 class BackendMissingError(BackendError):
     """A backend is not installed; the message says how to get it."""
 
-    def __init__(self, role: str, name: str, *, available: Iterable[str], install: str = "") -> None:
+    def __init__(
+        self, role: str, name: str, *, available: Iterable[str], install: str = ""
+    ) -> None:
         self.name = name
         there = ", ".join(sorted(available)) or "none"
         hint = f" Install it with: {install}" if install else ""
@@ -101,10 +105,12 @@ class Problem:
     fix: str
     source_id: str = ""
 
+    @override
     def __str__(self) -> str:
         """Return the line that a person reads."""
         source = f" [{self.source_id}]" if self.source_id else ""
-        return f"{self.severity} {self.code} {self.where}{source}: {self.message} {self.fix}".rstrip()
+        said = f"{self.message} {self.fix}".rstrip()
+        return f"{self.severity} {self.code} {self.where}{source}: {said}"
 
 
 class ModelRejectedError(BuildingModelError):

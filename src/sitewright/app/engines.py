@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 
 from sitewright.app.clock import SystemClock
 from sitewright.app.project import BUILDING, Project
+from sitewright.central_controller.measuring import MeasuredCertifier
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.site_graph import graph_now
 from sitewright.central_controller.situation import Design, piece_shapes
@@ -27,11 +29,15 @@ def proposals_of(project: Project, *, seed: int = 0) -> Proposals:
     from sitewright.planning_twin.backends.twin import make_backends
     from sitewright.symbolic_planning.planners.fast_downward import FastDownward
 
+    clock = SystemClock()
+    backends = make_backends()
+    certifier = MeasuredCertifier(backends.certifier, clock)
     ports = PlanningPorts(
         domain=domain_at(project.domain_file),
         symbolic=FastDownward(),
-        backends=make_backends(),
-        clock=SystemClock(),
+        backends=replace(backends, certifier=certifier),
+        clock=clock,
+        certifying_s=lambda: certifier.spent_s,
     )
     return Proposals(
         design=Design(model=project.model, cell=project.cell),
@@ -40,6 +46,7 @@ def proposals_of(project: Project, *, seed: int = 0) -> Proposals:
         graph_of=partial(graph_now, project.model, project.cell),
         identity=identity_of(project, ports.domain.text),
         seed=seed,
+        unsupported=project.unsupported,
     )
 
 

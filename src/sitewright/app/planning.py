@@ -94,7 +94,8 @@ def _report(
 ) -> PlanReport:
     done = {p.proposal.target for p in planned} | {e.target for e in escalated}
     timing: dict[str, float] = {}
-    for outcome in (*planned, *escalated):
+    outcomes: list[Planned | Escalation] = [*planned, *escalated]
+    for outcome in outcomes:
         for kind, spent in outcome.timing_s.items():
             timing[kind] = timing.get(kind, 0.0) + spent
     return PlanReport(
@@ -102,6 +103,6 @@ def _report(
         planned=tuple(planned),
         escalated=tuple(escalated),
         waiting=tuple(t for t in context.site.targets if t not in done),
-        refusals=tuple(r for o in (*planned, *escalated) for r in o.refusals),
+        refusals=tuple(r for o in outcomes for r in o.refusals),
         timing_s=timing,
     )

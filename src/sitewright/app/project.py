@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from importlib.resources import files
 from pathlib import Path
 
@@ -21,10 +21,12 @@ from sitewright.errors import (
     did_you_mean,
 )
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.ids import ComponentId
 from sitewright.robot_team.cell import Cell
 from sitewright.robot_team.formats.cell_toml import read_cell
 
 BUILDING, CELL, DOMAIN, SETTINGS = "building.json", "cell.toml", "domain.pddl", "sitewright.toml"
+_UNSUPPORTED = "F2"
 EXAMPLES = ("wooden_frame", "painted_frame")
 
 
@@ -40,6 +42,8 @@ class Project:
         folder: Where its files and `runs/` are.
         cell_file: The cell that is used, e.g. a mirrored one.
         settings: Content of ``sitewright.toml``; empty without one.
+        unsupported: Targets that would stand on nothing (F2), with the reason: each is refused
+            when its turn comes, the others are built.
     """
 
     folder: Path
@@ -47,6 +51,7 @@ class Project:
     model: BuildingModel
     cell: Cell
     settings: Mapping[str, Json] = field(default_factory=dict)
+    unsupported: Mapping[ComponentId, str] = field(default_factory=dict)
 
     @property
     def domain_file(self) -> Path | None:
@@ -77,10 +82,12 @@ def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project
         cell=read_cell(cell_file),
         settings=_settings(folder),
     )
-    errors = [p for p in problems_of(project) if p.severity == "E"]
+    found = [p for p in problems_of(project) if p.severity == "E"]
+    errors = [p for p in found if p.code != _UNSUPPORTED]
     if errors:
         raise ModelRejectedError(str(folder / BUILDING), errors)
-    return project
+    floating = {ComponentId(p.where): f"{p.message} {p.fix}" for p in found}
+    return replace(project, unsupported=floating)
 
 
 def problems_of(project: Project) -> list[Problem]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
-from sitewright.central_controller.other_ways import continuation, other_ways
+from sitewright.central_controller.measuring import Stopwatch
+from sitewright.central_controller.other_ways import can_come_next, continuation, other_ways
 from sitewright.central_controller.ports import (
     Alternative,
     Escalation,
@@ -28,7 +29,6 @@ from sitewright.central_controller.situation import (
 )
 from sitewright.central_controller.target_planning import (
     PlanningPorts,
-    Stopwatch,
     TargetPlan,
     TargetRefusal,
     plan_target,
@@ -75,6 +75,7 @@ class Proposals:
         graph_of: The construction relationship graph of a folded site.
         identity: Hashes of team, cell, model and domain, for the fingerprint.
         seed: First seed of all motion searches.
+        unsupported: Targets that would stand on nothing, with the reason; they are not placed.
     """
 
     design: Design
@@ -83,6 +84,7 @@ class Proposals:
     graph_of: GraphOf
     identity: Mapping[str, str]
     seed: int = 0
+    unsupported: Mapping[ComponentId, str] = field(default_factory=dict)
 
     def propose(
         self, context: SiteContext, *, exclude: frozenset[ComponentId] = frozenset()
@@ -92,7 +94,9 @@ class Proposals:
         target = self._front(graph, context, exclude)
         if target is None:
             return NothingToDo()
-        watch = Stopwatch(clock=self.ports.clock)
+        if target in self.unsupported:
+            return _standing_on_nothing(target, self.unsupported[target])
+        watch, before_s = Stopwatch(clock=self.ports.clock), self.ports.certifying_s()
         notes: list[RefusalNote] = []
         pieces = self._pieces(graph, context, target)
         outcome: TargetPlan | TargetRefusal | None = None
@@ -104,8 +108,9 @@ class Proposals:
             )
             notes += outcome.notes
             if isinstance(outcome, TargetPlan):
-                return self._planned(context, situation, outcome, notes, watch)
-        return self._escalation(target, graph, outcome, notes, watch)
+                timing_s = self._timing(watch, before_s)
+                return self._planned(context, situation, outcome, notes, timing_s)
+        return self._escalation(target, graph, outcome, notes, self._timing(watch, before_s))
 
     def alternatives(self, context: SiteContext) -> tuple[Alternative, ...]:
         """Return what could be done next instead, the cheapest first."""
@@ -115,17 +120,30 @@ class Proposals:
             return ()
         situation = self._first_situation(graph, context, target)
         problem = problem_for(self.ports.domain, situation.view)
-        return other_ways(problem, self.ports.symbolic)
+        start = {r: s.place for r, s in situation.view.robot_status.items()}
+
+        def why_not(call: SkillCall, following: tuple[SkillCall, ...]) -> str:
+            planned = plan_first(situation, call, following, start)
+            if isinstance(planned, SequenceRefusal):
+                return in_words(planned.cause.refusal)
+            return ""
+
+        return other_ways(problem, self.ports.symbolic, why_not)
 
     def propose_single(self, context: SiteContext, call: SkillCall) -> ProposalOutcome:
-        """Plan one chosen call, with the best continuation in mind."""
+        """Plan one chosen call, with the best continuation in mind.
+
+        A call that is not applicable now is nothing to do.
+        """
         graph = self.graph_of(context)
         target = self._front(graph, context, frozenset())
         if target is None:
             return NothingToDo()
-        watch = Stopwatch(clock=self.ports.clock)
+        watch, before_s = Stopwatch(clock=self.ports.clock), self.ports.certifying_s()
         situation = self._first_situation(graph, context, target, watch)
         problem = problem_for(self.ports.domain, situation.view)
+        if not can_come_next(problem, call):
+            return NothingToDo()
         following = continuation(problem, self.ports.symbolic, call)
         start = {r: s.place for r, s in situation.view.robot_status.items()}
         watch.start()
@@ -140,7 +158,7 @@ class Proposals:
             )
             return Escalation(target=target, reason=note.reason, is_proven=False, refusals=(note,))
         proposal = self._proposal(context, target, problem, planned)
-        return Planned(proposal=proposal, timing_s=_timing(watch, planned))
+        return Planned(proposal=proposal, timing_s=self._timing(watch, before_s))
 
     def check(
         self, step: ProposedStep, context: SiteContext
@@ -167,7 +185,7 @@ class Proposals:
 
         A ready target whose piece is still buried waits for those that uncover it.
         """
-        out = exclude | set(context.site.refused) | set(context.site.installed)
+        out = exclude | context.site.excluded | set(context.site.installed)
         waiting = [t for t in target_queue(graph) if t not in out]
         started = [t for t in waiting if t in context.site.placed]
         ready = [t for t in waiting if is_ready(graph, target_node(graph, t))]
@@ -257,13 +275,16 @@ class Proposals:
             docked=dict(context.observation.docked),
         )
 
+    def _timing(self, watch: Stopwatch, certifying_before_s: float) -> dict[str, float]:
+        return watch.report(self.ports.certifying_s() - certifying_before_s)
+
     def _planned(
         self,
         context: SiteContext,
         situation: Situation,
         plan: TargetPlan,
         notes: Sequence[RefusalNote],
-        watch: Stopwatch,
+        timing_s: Mapping[str, float],
     ) -> Planned:
         return Planned(
             proposal=self._proposal(context, situation.target, plan.problem, plan.motions),
@@ -273,7 +294,7 @@ class Proposals:
                 "plan": plan.sequence.text,
             },
             refusals=tuple(dict.fromkeys(notes)),
-            timing_s=_timing(watch, plan.motions),
+            timing_s=timing_s,
         )
 
     def _proposal(
@@ -311,7 +332,7 @@ class Proposals:
         graph: ConstructionGraph,
         outcome: TargetPlan | TargetRefusal | None,
         notes: Sequence[RefusalNote],
-        watch: Stopwatch,
+        timing_s: Mapping[str, float],
     ) -> Escalation:
         if not isinstance(outcome, TargetRefusal):
             node = target_node(graph, target)
@@ -324,8 +345,13 @@ class Proposals:
             exit_code=_LIMIT if outcome.is_limit else code,
             attachments={"domain": self.ports.domain.text, "problem": outcome.problem.text},
             refusals=tuple(dict.fromkeys(notes)),
-            timing_s=dict(watch.spent_s),
+            timing_s=timing_s,
         )
+
+
+def _standing_on_nothing(target: ComponentId, reason: str) -> Escalation:
+    note = RefusalNote(target=target, kind="Unsupported", reason=reason, is_proven=True)
+    return Escalation(target=target, reason=reason, is_proven=True, refusals=(note,))
 
 
 def plan_first(
@@ -338,13 +364,6 @@ def plan_first(
     return plan_sequence(
         situation.twin, situation.study, (call, *following), start, only_first=True
     )
-
-
-def _timing(watch: Stopwatch, motions: PlannedSequence) -> dict[str, float]:
-    del motions
-    spent = dict(watch.spent_s)
-    spent["total"] = sum(spent.values())
-    return spent
 
 
 def _relied_on(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from sitewright.foundation.pose import Pose, Vector
 from sitewright.foundation.shapes import Shape
 
 Joints = tuple[float, ...]
-"""Joint positions of one robot in the order of its movable joints; radians (metres if prismatic)."""
+"""Positions of a robot's movable joints in their order; radians (metres if prismatic)."""
 
 
 class JointKind(StrEnum):

@@ -35,7 +35,7 @@ def read_shape(link: ET.Element, folder: Path, findings: Findings) -> Shape:
             "It can be seen but has no collision shape, so no motion would keep clear of it.",
             "Add a <collision> with a box, a cylinder or a mesh.",
         )
-    pieces = []
+    pieces: list[ConvexPart] = []
     for collision in collisions:
         piece = _read_piece(collision, folder, where, findings)
         if piece is not None:
@@ -46,22 +46,25 @@ def read_shape(link: ET.Element, folder: Path, findings: Findings) -> Shape:
 def _read_piece(
     collision: ET.Element, folder: Path, where: str, findings: Findings
 ) -> ConvexPart | None:
-    shape = next(iter(collision.find("geometry") or ()), None)
-    match None if shape is None else shape.tag:
-        case "box":
-            return _box(shape, where, findings)
-        case "cylinder":
-            return _prism(shape, where, findings)
-        case "mesh":
-            return _hull(shape, folder, where, findings)
-        case other:
-            findings.add(
-                "R5",
-                where,
-                f"Collision geometry {other or 'without a shape'} is not read.",
-                "Use box, cylinder or mesh (.obj, .stl).",
-            )
-            return None
+    geometry = collision.find("geometry")
+    shape = None if geometry is None else next(iter(geometry), None)
+    if shape is not None:
+        match shape.tag:
+            case "box":
+                return _box(shape, where, findings)
+            case "cylinder":
+                return _prism(shape, where, findings)
+            case "mesh":
+                return _hull(shape, folder, where, findings)
+            case _:
+                pass
+    findings.add(
+        "R5",
+        where,
+        f"Collision geometry {'without a shape' if shape is None else shape.tag} is not read.",
+        "Use box, cylinder or mesh (.obj, .stl).",
+    )
+    return None
 
 
 def _box(element: ET.Element, where: str, findings: Findings) -> Box | None:
