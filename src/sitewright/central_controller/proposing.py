@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from sitewright.building_model.matching import fits, material_type_of
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.other_ways import can_come_next, continuation, other_ways
 from sitewright.central_controller.ports import (
@@ -32,6 +33,12 @@ from sitewright.central_controller.target_planning import (
     TargetPlan,
     TargetRefusal,
     plan_target,
+)
+from sitewright.central_controller.wishes import (
+    another_seed,
+    put_off,
+    wanted_pieces,
+    without_refused_robots,
 )
 from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.construction_graph.queries import accessible_materials, is_ready
@@ -189,8 +196,24 @@ class Proposals:
         waiting = [t for t in target_queue(graph) if t not in out]
         started = [t for t in waiting if t in context.site.placed]
         ready = [t for t in waiting if is_ready(graph, target_node(graph, t))]
+        later = put_off(context.site.rejections)
+        ready.sort(key=lambda t: (t in later, not self._is_in_hand(graph, context, t)))
         supplied = (t for t in ready if self._pieces(graph, context, t) != [()])
         return next(iter(started), None) or next(supplied, None) or next(iter(ready), None)
+
+    def _is_in_hand(
+        self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
+    ) -> bool:
+        return bool(self._held(graph, context, target))
+
+    def _held(
+        self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
+    ) -> tuple[ComponentId, ...]:
+        """Return the pieces in grippers that could become a target."""
+        wanted = target_node(graph, target).material_type
+        held = {r.gripped for r in context.observation.robots.values()}
+        components = (self.design.component(p) for p in self.shapes if p in held)
+        return tuple(c.id for c in components if fits(material_type_of(c), wanted))
 
     def _pieces(
         self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
@@ -200,14 +223,10 @@ class Proposals:
         if placed is not None:
             return [(placed.piece,)]
         node = target_node(graph, target)
-        accessible = [m.id for m in accessible_materials(graph, node)]
-        held = [
-            r.gripped
-            for r in context.observation.robots.values()
-            if r.gripped is not None and r.gripped in self.shapes
-        ]
-        if held:
-            return [tuple(held)]
+        found = [m.id for m in accessible_materials(graph, node)]
+        accessible = wanted_pieces(found, context.site.rejections)
+        if held := self._held(graph, context, target):
+            return [held]
         ordered = sorted(accessible, key=lambda m: (self._distance(context, m), m))
         return [tuple(ordered[:k]) for k in range(1, len(ordered) + 1)] or [()]
 
@@ -241,11 +260,15 @@ class Proposals:
     ) -> Situation:
         site = jobsite_of(self.design, self.shapes, context, self.ports.backends.kinematics)
         task = task_of(self.design, graph, context, target, candidates)
-        twin = TwinContext(backends=self.ports.backends, site=site, task=task, seed=self.seed)
+        rejections = context.site.rejections
+        seed = another_seed(self.seed, target, rejections)
+        twin = TwinContext(backends=self.ports.backends, site=site, task=task, seed=seed)
         places = lies_at(graph, candidates)
         watch.start()
         studied = study(twin, places)
         watch.stop("motion")
+        base = without_refused_robots(studied.base, target, rejections)
+        studied = replace(studied, base=base)
         view = self._view(graph, context, site, target, candidates)
         return Situation(
             target=target, twin=twin, study=studied, view=replace(view, geometry=studied.facts)

@@ -131,7 +131,8 @@ def plan_lines(view: ProposalView) -> tuple[str, ...]:
     )
     rows = [_cells(step) for step in view.steps]
     widths = [max((len(row[c]) for row in rows), default=0) for c in range(5)]
-    lines = [head, f"Check code {view.code}", f"In short: {'; '.join(view.summary)}.", ""]
+    in_short = [f"In short: {'; '.join(view.summary)}."] if view.summary else []
+    lines = [head, f"Check code {view.code}", *in_short, ""]
     for row, step in zip(rows, view.steps, strict=True):
         number, robot, words, time, distance = (
             cell.rjust(w) if c in {0, 3, 4} else cell.ljust(w)
