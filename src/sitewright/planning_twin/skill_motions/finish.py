@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import pairwise
 
 from sitewright.foundation.canonical import Json
@@ -16,7 +15,7 @@ from sitewright.planning_twin.jobsite import bodies_of_tool, scene_of
 from sitewright.planning_twin.motion import PathSegment, PlannedMotion
 from sitewright.planning_twin.refusal import Disagreement, NoIk, NotClear
 from sitewright.planning_twin.scene import Pair
-from sitewright.planning_twin.skill_motions.moving import finished_motion, limits_of
+from sitewright.planning_twin.skill_motions.moving import finished_motion
 from sitewright.planning_twin.skill_motions.stage import (
     PlannedSkill,
     SkillRefusal,
@@ -32,7 +31,9 @@ from sitewright.robot_team.gripper import mount_T_tcp
 from sitewright.robot_team.skill import SkillCall
 
 _YAWS_DEG = (0.0, 90.0, 180.0, -90.0)
-_SAMPLES_PER_STROKE = 20
+_SAMPLES_PER_STROKE = 60
+_A_LITTLE_LESS = 0.99
+"""Speeds between two samples may be a little higher than at them."""
 _REQUIRED_COVERAGE = 0.95
 
 
@@ -140,18 +141,22 @@ def _at_process_speed(
     lines: list[tuple[Joints, ...]],
     threshold: dict[Pair, float],
 ) -> PlannedMotion | NotClear | Disagreement:
+    """Return the strokes, timed slower until the tip never moves faster than the process may.
+
+    Short strokes are limited by acceleration, so that a lower speed limit does not bind at once.
+    """
     segments = tuple(PathSegment(waypoints_rad=w, threshold_m=threshold) for w in lines)
-    motion = finished_motion(stage, robot, scene_of(stage.site), segments)
+    scene = scene_of(stage.site)
+    motion = finished_motion(stage, robot, scene, segments)
     if not isinstance(motion, PlannedMotion) or spot.patch is None:
         return motion
-    peak_m_s = _peak_tip_speed(stage, robot, motion)
-    if peak_m_s <= spot.patch.speed_m_s:
-        return motion
-    slower = spot.patch.speed_m_s / peak_m_s
-    timed = stage.context.backends.timer.time(
-        motion.timed.path, limits_of(stage.robot(robot), slower)
-    )
-    return replace(motion, timed=timed)
+    share = 1.0
+    while (peak_m_s := _peak_tip_speed(stage, robot, motion)) > spot.patch.speed_m_s:
+        share *= spot.patch.speed_m_s / peak_m_s * _A_LITTLE_LESS
+        motion = finished_motion(stage, robot, scene, segments, speed=share)
+        if not isinstance(motion, PlannedMotion):
+            return motion
+    return motion
 
 
 def _peak_tip_speed(stage: Stage, robot: RobotId, motion: PlannedMotion) -> float:
@@ -159,5 +164,7 @@ def _peak_tip_speed(stage: Stage, robot: RobotId, motion: PlannedMotion) -> floa
     count = _SAMPLES_PER_STROKE * len(motion.timed.path.segments)
     step_s = trajectory.duration_s / count
     arm, kinematics = stage.robot(robot).description, stage.context.backends.kinematics
-    tips = [kinematics.tip(arm, trajectory.at(k * step_s)[0]).position_m for k in range(count + 1)]
+    tip_T_tcp = mount_T_tcp(stage.tool(robot).description)
+    postures = (trajectory.at(k * step_s)[0] for k in range(count + 1))
+    tips = [(kinematics.tip(arm, q) @ tip_T_tcp).position_m for q in postures]
     return max(distance(a, b) for a, b in pairwise(tips)) / step_s
