@@ -415,6 +415,10 @@ class AlwaysClear:
 
     def __init__(self) -> None:
         self.refuse_once: StaleCertificate | FactsChanged | None = None
+        self.lying_about: frozenset[ComponentId] = frozenset()
+
+    def strays(self, context: SiteContext) -> frozenset[ComponentId]:
+        return self.lying_about & set(context.observation.world_T_piece)
 
     def check(
         self, step: ProposedStep, context: SiteContext

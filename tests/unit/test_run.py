@@ -252,6 +252,21 @@ def test_a_small_shift_is_no_deviation(tmp_path: Path) -> None:
     assert "deviation_seen" not in kinds(site)
 
 
+def test_a_piece_that_lies_about_may_roll_on_without_a_new_plan(tmp_path: Path) -> None:
+    site = Site(tmp_path)
+    site.check.lying_about = frozenset({ComponentId("piece-4")})
+
+    def roll(world: World) -> None:
+        world.pieces["piece-4"] = moved(world.pieces["piece-4"], 0.05)
+
+    result = run_project(when(site, "skill_intent", roll), site.options())
+    assert result.is_complete
+    assert "deviation_seen" not in kinds(site)
+    assert result.site.sensed is not None
+    seen = result.site.sensed.world_T_piece[ComponentId("piece-4")]
+    assert seen == site.world().pieces["piece-4"], "where it is now is recorded"
+
+
 def test_a_piece_dropped_on_the_way_is_noticed_and_another_plan_made(tmp_path: Path) -> None:
     site = Site(tmp_path)
 

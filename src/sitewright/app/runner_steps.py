@@ -39,13 +39,25 @@ _EXECUTION_FAILED = 8
 def observed(run: Run) -> Generator[AnyEvent, None, Observation]:
     """Sense the site while nothing moves, and record what changed by itself."""
     now, site = run.cell.observe(), run.state.site
-    deviations = unasked_changes(site, now)
+    deviations = _changes(run, now)
     yield from deviations
     yield from displaced(site, now)
     if deviations or site.sensed is None:
         yield from differences(site.sensed, now)
     yield from _held_if_grave(deviations)
     return now
+
+
+def _changes(
+    run: Run, now: Observation, intent: SkillIntent | None = None
+) -> tuple[DeviationSeen, ...]:
+    """Return what nobody asked for, pieces that lie about left out."""
+    before = run.state.site.sensed
+    if before is None:
+        return ()
+    check = run.ports.check
+    strays = check.strays(run.context(before)) & check.strays(run.context(now))
+    return unasked_changes(run.state.site, now, intent=intent, strays=strays)
 
 
 def start_step(run: Run, number: int) -> Iterator[AnyEvent]:
@@ -150,7 +162,7 @@ def sense(run: Run) -> Iterator[AnyEvent]:
         evidence = f"reported as done, but {denied[0].what}"
         yield SkillReconciled(command_id=intent.command_id, verdict="unknown", evidence=evidence)
         return
-    deviations = (*unasked_changes(site, now, intent=intent), *denied)
+    deviations = (*_changes(run, now, intent), *denied)
     if is_done and not denied:
         yield from effects(intent, site, now, by=by)
     yield from displaced(run.state.site, now)

@@ -39,9 +39,21 @@ def level_of(expected: Pose, sensed: Pose) -> int:
 
 
 def unasked_changes(
-    site: SiteState, now: Observation, *, intent: SkillIntent | None = None
+    site: SiteState,
+    now: Observation,
+    *,
+    intent: SkillIntent | None = None,
+    strays: frozenset[ComponentId] = frozenset(),
 ) -> tuple[DeviationSeen, ...]:
-    """Return what changed on the site though nothing (or only `intent`) was to change it."""
+    """Return what changed on the site though nothing (or only `intent`) was to change it.
+
+    Args:
+        site: The folded site with what was sensed before.
+        now: What is sensed now.
+        intent: The skill whose effects are looked at.
+        strays: Pieces that lay, and still lie, where nothing relies on them. They may roll on;
+            whether they got in the way is for the certificate to say.
+    """
     if site.sensed is None:
         return ()
     call = intent.call if intent is not None else None
@@ -50,7 +62,7 @@ def unasked_changes(
     found = [
         *_robots_moved(site.sensed, now, mover),
         *_pieces_dropped(site.sensed, now, call.robot if call and call.skill in _LETS_GO else None),
-        *_pieces_moved(site, now, _exempt(intent, site.sensed, now)),
+        *_pieces_moved(site, now, strays | _exempt(intent, site.sensed, now)),
     ]
     return tuple(
         DeviationSeen(level=level, subject=subject, what=what, after=after)

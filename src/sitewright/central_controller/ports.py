@@ -150,6 +150,13 @@ class StartCheck(Protocol):
         """Evaluate `relies_on` and certify the same motions on the scene built from `context`."""
         ...
 
+    def strays(self, context: SiteContext) -> frozenset[ComponentId]:
+        """Return the pieces that no plan counts on where they lie: fallen, or put aside.
+
+        They are bodies in the scene and may be in the way, but their motion changes no fact.
+        """
+        ...
+
 
 class ScopeKind(StrEnum):
     """How much of a proposal an approval covers."""

@@ -40,7 +40,7 @@ from sitewright.central_controller.wishes import (
     wanted_pieces,
     without_refused_robots,
 )
-from sitewright.construction_graph.graph import ConstructionGraph
+from sitewright.construction_graph.graph import NOWHERE, ConstructionGraph, MaterialNode
 from sitewright.construction_graph.queries import accessible_materials, is_ready
 from sitewright.construction_graph.queue import target_queue
 from sitewright.foundation.ids import ComponentId, RobotId
@@ -184,6 +184,15 @@ class Proposals:
             site = with_opening(site, step.call.robot, opening)
         proof = recertify(self.ports.backends.certifier, site, step.motions)
         return proof if isinstance(proof, StaleCertificate) else StillClear(proof)
+
+    def strays(self, context: SiteContext) -> frozenset[ComponentId]:
+        """Return the pieces of stock that lie at no stock place and are in no gripper."""
+        held = {robot.gripped for robot in context.observation.robots.values()}
+        return frozenset(
+            node.id
+            for node in self.graph_of(context).node_by_id.values()
+            if isinstance(node, MaterialNode) and node.place == NOWHERE and node.id not in held
+        )
 
     def _front(
         self, graph: ConstructionGraph, context: SiteContext, exclude: frozenset[ComponentId]
