@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
-from sitewright.building_model.matching import fits, material_type_of
+from sitewright.central_controller.choosing import choices_of_pieces, front_target
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.other_ways import can_come_next, continuation, other_ways
+from sitewright.central_controller.outcomes import (
+    escalation,
+    planned,
+    proposal_of,
+    single_refused,
+    standing_on_nothing,
+)
 from sitewright.central_controller.ports import (
     Alternative,
-    Escalation,
     FactsChanged,
     NothingToDo,
     Planned,
@@ -19,13 +25,12 @@ from sitewright.central_controller.ports import (
     SiteContext,
     StillClear,
 )
-from sitewright.central_controller.proposal import Proposal, ProposedStep
+from sitewright.central_controller.proposal import ProposedStep
 from sitewright.central_controller.situation import (
     Design,
     jobsite_of,
     lies_at,
     robot_statuses,
-    target_node,
     task_of,
 )
 from sitewright.central_controller.target_planning import (
@@ -36,13 +41,9 @@ from sitewright.central_controller.target_planning import (
 )
 from sitewright.central_controller.wishes import (
     another_seed,
-    put_off,
-    wanted_pieces,
     without_refused_robots,
 )
 from sitewright.construction_graph.graph import NOWHERE, ConstructionGraph, MaterialNode
-from sitewright.construction_graph.queries import accessible_materials, is_ready
-from sitewright.construction_graph.queue import target_queue
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.jobsite import Jobsite, PieceShape
 from sitewright.planning_twin.recheck import recertify
@@ -52,16 +53,12 @@ from sitewright.planning_twin.skill_motions.stage import with_opening
 from sitewright.planning_twin.study import Study, study
 from sitewright.planning_twin.task import TwinContext
 from sitewright.planning_twin.wording import in_words
-from sitewright.robot_team.cell import Capability
 from sitewright.robot_team.skill import Skill, SkillCall
-from sitewright.symbolic_planning.grounding import GroundAction
-from sitewright.symbolic_planning.problem import Problem, problem_for
-from sitewright.symbolic_planning.reasons import effects, facts_that_fail, relies_on
+from sitewright.symbolic_planning.problem import problem_for
+from sitewright.symbolic_planning.reasons import facts_that_fail
 from sitewright.symbolic_planning.site_view import SiteView
 
 GraphOf = Callable[[SiteContext], ConstructionGraph]
-
-_NO_PLAN_PROVEN, _LIMIT, _NO_MOTION = 4, 5, 6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,31 +95,42 @@ class Proposals:
     ) -> ProposalOutcome:
         """Plan the front target of the queue, widening the choice of pieces if geometry refuses."""
         graph = self.graph_of(context)
-        target = self._front(graph, context, exclude)
+        target = front_target(self.design, graph, context, exclude)
         if target is None:
             return NothingToDo()
         if target in self.unsupported:
-            return _standing_on_nothing(target, self.unsupported[target])
+            return standing_on_nothing(target, self.unsupported[target])
         watch, before_s = Stopwatch(clock=self.ports.clock), self.ports.certifying_s()
         notes: list[RefusalNote] = []
-        pieces = self._pieces(graph, context, target)
-        outcome: TargetPlan | TargetRefusal | None = None
-        situation: Situation | None = None
-        for candidates in pieces:
-            situation = self._situation(graph, context, target, candidates, watch)
-            outcome = plan_target(
-                self.ports, situation.twin, situation.study, situation.view, watch
-            )
-            notes += outcome.notes
+        first, *wider = choices_of_pieces(self.design, graph, context, target)
+        outcome = self._outcome(graph, context, target, first, watch)
+        for candidates in wider:
             if isinstance(outcome, TargetPlan):
-                timing_s = self._timing(watch, before_s)
-                return self._planned(context, situation, outcome, notes, timing_s)
-        return self._escalation(target, graph, outcome, notes, self._timing(watch, before_s))
+                break
+            notes += outcome.notes
+            outcome = self._outcome(graph, context, target, candidates, watch)
+        notes += outcome.notes
+        timing_s = self._timing(watch, before_s)
+        if isinstance(outcome, TargetRefusal):
+            return escalation(target, outcome, notes, timing_s)
+        proposal = proposal_of(context, target, outcome.problem, outcome.motions, self.identity)
+        return planned(proposal, outcome, notes, timing_s)
+
+    def _outcome(
+        self,
+        graph: ConstructionGraph,
+        context: SiteContext,
+        target: ComponentId,
+        candidates: tuple[ComponentId, ...],
+        watch: Stopwatch,
+    ) -> TargetPlan | TargetRefusal:
+        situation = self._situation(graph, context, target, candidates, watch)
+        return plan_target(self.ports, situation.twin, situation.study, situation.view, watch)
 
     def alternatives(self, context: SiteContext) -> tuple[Alternative, ...]:
         """Return what could be done next instead, the cheapest first."""
         graph = self.graph_of(context)
-        target = self._front(graph, context, frozenset())
+        target = front_target(self.design, graph, context)
         if target is None:
             return ()
         situation = self._first_situation(graph, context, target)
@@ -130,10 +138,8 @@ class Proposals:
         start = {r: s.place for r, s in situation.view.robot_status.items()}
 
         def why_not(call: SkillCall, following: tuple[SkillCall, ...]) -> str:
-            planned = plan_first(situation, call, following, start)
-            if isinstance(planned, SequenceRefusal):
-                return in_words(planned.cause.refusal)
-            return ""
+            first = plan_first(situation, call, following, start)
+            return in_words(first.cause.refusal) if isinstance(first, SequenceRefusal) else ""
 
         return other_ways(problem, self.ports.symbolic, why_not)
 
@@ -143,7 +149,7 @@ class Proposals:
         A call that is not applicable now is nothing to do.
         """
         graph = self.graph_of(context)
-        target = self._front(graph, context, frozenset())
+        target = front_target(self.design, graph, context)
         if target is None:
             return NothingToDo()
         watch, before_s = Stopwatch(clock=self.ports.clock), self.ports.certifying_s()
@@ -154,18 +160,13 @@ class Proposals:
         following = continuation(problem, self.ports.symbolic, call)
         start = {r: s.place for r, s in situation.view.robot_status.items()}
         watch.start()
-        planned = plan_first(situation, call, following, start)
+        first = plan_first(situation, call, following, start)
         watch.stop("motion")
-        if isinstance(planned, SequenceRefusal):
-            note = RefusalNote(
-                target=target,
-                kind=type(planned.cause.refusal).__name__,
-                reason=in_words(planned.cause.refusal),
-                is_proven=False,
-            )
-            return Escalation(target=target, reason=note.reason, is_proven=False, refusals=(note,))
-        proposal = self._proposal(context, target, problem, planned)
-        return Planned(proposal=proposal, timing_s=self._timing(watch, before_s))
+        timing_s = self._timing(watch, before_s)
+        if isinstance(first, SequenceRefusal):
+            return single_refused(target, first, timing_s)
+        proposal = proposal_of(context, target, problem, first, self.identity)
+        return Planned(proposal=proposal, timing_s=timing_s)
 
     def check(
         self, step: ProposedStep, context: SiteContext
@@ -173,7 +174,7 @@ class Proposals:
         """Evaluate what a step relies on, then prove its motions on the scene as sensed."""
         graph = self.graph_of(context)
         site = jobsite_of(self.design, self.shapes, context, self.ports.backends.kinematics)
-        target = self._front(graph, context, frozenset()) or context.site.installed[-1]
+        target = front_target(self.design, graph, context) or context.site.installed[-1]
         named = tuple(ComponentId(a) for a in step.call.arguments if a in self.shapes)
         view = self._view(graph, context, site, target, named)
         missing = facts_that_fail(step.relies_on, view)
@@ -194,60 +195,6 @@ class Proposals:
             if isinstance(node, MaterialNode) and node.place == NOWHERE and node.id not in held
         )
 
-    def _front(
-        self, graph: ConstructionGraph, context: SiteContext, exclude: frozenset[ComponentId]
-    ) -> ComponentId | None:
-        """Return the target to do next: one in progress, else the first ready one with a piece.
-
-        A ready target whose piece is still buried waits for those that uncover it.
-        """
-        out = exclude | context.site.excluded | set(context.site.installed)
-        waiting = [t for t in target_queue(graph) if t not in out]
-        started = [t for t in waiting if t in context.site.placed]
-        ready = [t for t in waiting if is_ready(graph, target_node(graph, t))]
-        later = put_off(context.site.rejections)
-        ready.sort(key=lambda t: (t in later, not self._is_in_hand(graph, context, t)))
-        supplied = (t for t in ready if self._pieces(graph, context, t) != [()])
-        return next(iter(started), None) or next(supplied, None) or next(iter(ready), None)
-
-    def _is_in_hand(
-        self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
-    ) -> bool:
-        return bool(self._held(graph, context, target))
-
-    def _held(
-        self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
-    ) -> tuple[ComponentId, ...]:
-        """Return the pieces in grippers that could become a target."""
-        wanted = target_node(graph, target).material_type
-        held = {r.gripped for r in context.observation.robots.values()}
-        components = (self.design.component(p) for p in self.shapes if p in held)
-        return tuple(c.id for c in components if fits(material_type_of(c), wanted))
-
-    def _pieces(
-        self, graph: ConstructionGraph, context: SiteContext, target: ComponentId
-    ) -> list[tuple[ComponentId, ...]]:
-        """Return choices of pieces: the one in place or in hand, else nearest, then all."""
-        placed = context.site.placed.get(target)
-        if placed is not None:
-            return [(placed.piece,)]
-        node = target_node(graph, target)
-        found = [m.id for m in accessible_materials(graph, node)]
-        accessible = wanted_pieces(found, context.site.rejections)
-        if held := self._held(graph, context, target):
-            return [held]
-        ordered = sorted(accessible, key=lambda m: (self._distance(context, m), m))
-        return [tuple(ordered[:k]) for k in range(1, len(ordered) + 1)] or [()]
-
-    def _distance(self, context: SiteContext, piece: ComponentId) -> float:
-        """Return the distance to the nearest robot that may grasp (base to middle of the box)."""
-        pose = context.observation.world_T_piece.get(piece)
-        robots = self.design.cell.robot_by_id.values()
-        bases = [r.world_T_base for r in robots if Capability.GRASPING in r.can]
-        if pose is None or not bases:
-            return float("inf")
-        return min(pose.distance_to_m(b) for b in bases)
-
     def _first_situation(
         self,
         graph: ConstructionGraph,
@@ -255,7 +202,7 @@ class Proposals:
         target: ComponentId,
         watch: Stopwatch | None = None,
     ) -> Situation:
-        candidates = self._pieces(graph, context, target)[0]
+        candidates = choices_of_pieces(self.design, graph, context, target)[0]
         used = watch or Stopwatch(clock=self.ports.clock)
         return self._situation(graph, context, target, candidates, used)
 
@@ -310,81 +257,6 @@ class Proposals:
     def _timing(self, watch: Stopwatch, certifying_before_s: float) -> dict[str, float]:
         return watch.report(self.ports.certifying_s() - certifying_before_s)
 
-    def _planned(
-        self,
-        context: SiteContext,
-        situation: Situation,
-        plan: TargetPlan,
-        notes: Sequence[RefusalNote],
-        timing_s: Mapping[str, float],
-    ) -> Planned:
-        return Planned(
-            proposal=self._proposal(context, situation.target, plan.problem, plan.motions),
-            attachments={
-                "domain": self.ports.domain.text,
-                "problem": plan.problem.text,
-                "plan": plan.sequence.text,
-            },
-            refusals=tuple(dict.fromkeys(notes)),
-            timing_s=timing_s,
-        )
-
-    def _proposal(
-        self,
-        context: SiteContext,
-        target: ComponentId,
-        problem: Problem,
-        motions: PlannedSequence,
-    ) -> Proposal:
-        pairs = zip(motions.calls, motions.skills, strict=True)
-        steps = tuple(
-            ProposedStep(
-                number=number,
-                call=call,
-                params={**skill.params, "contacts": [list(c) for c in skill.declared_contacts()]},
-                motions=skill.motions,
-                duration_s=skill.act_s + sum(m.timed.trajectory.duration_s for m in skill.motions),
-                relies_on=_relied_on(problem, problem.action(call)),
-                effects=_effects(problem, problem.action(call)),
-                contacts=skill.declared_contacts(),
-            )
-            for number, (call, skill) in enumerate(pairs, start=1)
-        )
-        return Proposal(
-            run=context.run,
-            target=target,
-            steps=steps,
-            site_serial=context.site.serial,
-            context=dict(self.identity),
-        )
-
-    def _escalation(
-        self,
-        target: ComponentId,
-        graph: ConstructionGraph,
-        outcome: TargetPlan | TargetRefusal | None,
-        notes: Sequence[RefusalNote],
-        timing_s: Mapping[str, float],
-    ) -> Escalation:
-        if not isinstance(outcome, TargetRefusal):
-            node = target_node(graph, target)
-            raise TypeError(f"{target} ({node.type}) was neither planned nor refused")
-        code = _NO_PLAN_PROVEN if outcome.is_proven else _NO_MOTION
-        return Escalation(
-            target=target,
-            reason=outcome.reason,
-            is_proven=outcome.is_proven,
-            exit_code=_LIMIT if outcome.is_limit else code,
-            attachments={"domain": self.ports.domain.text, "problem": outcome.problem.text},
-            refusals=tuple(dict.fromkeys(notes)),
-            timing_s=timing_s,
-        )
-
-
-def _standing_on_nothing(target: ComponentId, reason: str) -> Escalation:
-    note = RefusalNote(target=target, kind="Unsupported", reason=reason, is_proven=True)
-    return Escalation(target=target, reason=reason, is_proven=True, refusals=(note,))
-
 
 def plan_first(
     situation: Situation,
@@ -396,11 +268,3 @@ def plan_first(
     return plan_sequence(
         situation.twin, situation.study, (call, *following), start, only_first=True
     )
-
-
-def _relied_on(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:
-    return () if action is None else relies_on(problem, action)
-
-
-def _effects(problem: Problem, action: GroundAction | None) -> tuple[str, ...]:
-    return () if action is None else effects(problem, action)

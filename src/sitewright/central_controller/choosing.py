@@ -1,0 +1,70 @@
+"""Which target comes next, and which pieces may become it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from sitewright.building_model.matching import fits, material_type_of
+from sitewright.central_controller.ports import SiteContext
+from sitewright.central_controller.situation import Design, target_node
+from sitewright.central_controller.wishes import put_off, wanted_pieces
+from sitewright.construction_graph.graph import ConstructionGraph
+from sitewright.construction_graph.queries import accessible_materials, is_ready
+from sitewright.construction_graph.queue import target_queue
+from sitewright.foundation.ids import ComponentId
+from sitewright.robot_team.cell import Capability
+
+
+def front_target(
+    design: Design,
+    graph: ConstructionGraph,
+    context: SiteContext,
+    exclude: Iterable[ComponentId] = (),
+) -> ComponentId | None:
+    """Return the target to do next: one in progress, else the first ready one with a piece.
+
+    A ready target whose piece is still buried waits for those that uncover it.
+    """
+    out = {*exclude, *context.site.excluded, *context.site.installed}
+    waiting = [t for t in target_queue(graph) if t not in out]
+    started = [t for t in waiting if t in context.site.placed]
+    ready = [t for t in waiting if is_ready(graph, target_node(graph, t))]
+    later = put_off(context.site.rejections)
+    ready.sort(key=lambda t: (t in later, not _held(design, graph, context, t)))
+    supplied = (t for t in ready if choices_of_pieces(design, graph, context, t) != [()])
+    return next(iter(started), None) or next(supplied, None) or next(iter(ready), None)
+
+
+def choices_of_pieces(
+    design: Design, graph: ConstructionGraph, context: SiteContext, target: ComponentId
+) -> list[tuple[ComponentId, ...]]:
+    """Return choices of pieces: the one in place or in hand, else nearest, then all."""
+    placed = context.site.placed.get(target)
+    if placed is not None:
+        return [(placed.piece,)]
+    found = [m.id for m in accessible_materials(graph, target_node(graph, target))]
+    accessible = wanted_pieces(found, context.site.rejections)
+    if held := _held(design, graph, context, target):
+        return [held]
+    ordered = sorted(accessible, key=lambda m: (_distance(design, context, m), m))
+    return [tuple(ordered[:k]) for k in range(1, len(ordered) + 1)] or [()]
+
+
+def _held(
+    design: Design, graph: ConstructionGraph, context: SiteContext, target: ComponentId
+) -> tuple[ComponentId, ...]:
+    """Return the pieces in grippers that could become a target."""
+    wanted = target_node(graph, target).material_type
+    held = {r.gripped for r in context.observation.robots.values()}
+    pieces = (c for c in design.model.component_by_id.values() if c.id in held)
+    return tuple(c.id for c in pieces if fits(material_type_of(c), wanted))
+
+
+def _distance(design: Design, context: SiteContext, piece: ComponentId) -> float:
+    """Return the distance to the nearest robot that may grasp (base to middle of the box)."""
+    pose = context.observation.world_T_piece.get(piece)
+    robots = design.cell.robot_by_id.values()
+    bases = [r.world_T_base for r in robots if Capability.GRASPING in r.can]
+    if pose is None or not bases:
+        return float("inf")
+    return min(pose.distance_to_m(b) for b in bases)
