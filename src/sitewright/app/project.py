@@ -9,9 +9,11 @@ from dataclasses import dataclass, field, replace
 from importlib.resources import files
 from pathlib import Path
 
+from sitewright.building_model.component import Layer
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.model import BuildingModel
-from sitewright.building_model.validation import check_model
+from sitewright.building_model.shapes import shape_of
+from sitewright.construction_graph.project_check import check_project
 from sitewright.errors import (
     BuildingModelError,
     CellRejectedError,
@@ -92,9 +94,17 @@ def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project
 
 def problems_of(project: Project) -> list[Problem]:
     """Return all problems of a project whose files could be read, warnings too."""
-    from sitewright.construction_graph.project_check import check_project
+    from sitewright.app.postures import posture_problems
+    from sitewright.planning_twin.backends.twin import make_backends
 
-    return [*check_model(project.model), *check_project(project.model, project.cell)]
+    model, cell = project.model, project.cell
+    obstacles = {
+        c.id: (shape_of(c), cell.world_T_model @ c.world_T_component)
+        for c in model.component_by_id.values()
+        if c.layer is Layer.VIRTUAL_COLLISION
+    }
+    found = check_project(model, cell)
+    return [*found, *posture_problems(cell, obstacles, make_backends().collision)]
 
 
 def check(path: Path | str, *, cell: Path | str | None = None) -> list[Problem]:

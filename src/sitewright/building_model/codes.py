@@ -40,6 +40,7 @@ CODES: Mapping[str, str] = {
     "Q4": "Something is out of every robot's reach.",
     "Q5": "A stack stands at a stock place that the cell lacks.",
     "Q6": "No robot can do what is needed.",
+    "Q7": "A home or parking posture is too near to something, or to another robot at home.",
     "S1": "An operation has no built-in skill.",
     "U1": "The file states no length unit.",
     "U2": "Lengths look like another unit.",
