@@ -29,10 +29,9 @@ from sitewright.central_controller.proposal import ProposedStep
 from sitewright.central_controller.situation import (
     Design,
     jobsite_of,
-    lies_at,
-    robot_statuses,
     task_of,
 )
+from sitewright.central_controller.statuses import lies_at, robot_statuses
 from sitewright.central_controller.target_planning import (
     PlanningPorts,
     TargetPlan,

@@ -11,9 +11,7 @@ from sitewright.building_model.shapes import extent_of, mass_of, shape_of, size_
 from sitewright.central_controller.ports import SiteContext
 from sitewright.construction_graph.graph import (
     JOBSITE,
-    NOWHERE,
     ConstructionGraph,
-    MaterialNode,
     TargetNode,
 )
 from sitewright.foundation.canonical import Json
@@ -26,10 +24,7 @@ from sitewright.planning_twin.motion import Kinematics
 from sitewright.planning_twin.task import Insertion, Task
 from sitewright.robot_team.cell import Cell, StationKind
 from sitewright.robot_team.driver import RobotObservation
-from sitewright.symbolic_planning.site_index import preparation_place
-from sitewright.symbolic_planning.site_view import PlaceId, RobotStatus
 
-_AT_HOME_RAD = 0.02
 _LEVEL = 0.2
 INSERTION = "insertion"
 """Key of `Component.ext` for the way in: ``{"from": [x, y, z], "slide_m": s}``, model frame."""
@@ -271,38 +266,6 @@ def _lies_on(
     if below or seen is None:
         return tuple(below)
     return _fixtures_at(design.cell, shape_of(design.component(piece)), seen)
-
-
-def robot_statuses(
-    design: Design, context: SiteContext, site: Jobsite
-) -> dict[RobotId, RobotStatus]:
-    """Return the symbolic state of each robot from what was sensed and last done."""
-    targets = {p.piece: t for t, p in context.site.placed.items()}
-    statuses: dict[RobotId, RobotStatus] = {}
-    for robot, arm in site.arms.items():
-        steadying = None if arm.held is None else targets.get(arm.held)
-        statuses[robot] = RobotStatus(
-            place=_place(design, context, robot, arm),
-            mounted=arm.mounted,
-            holding=arm.held if steadying is None else None,
-            steadying=steadying,
-        )
-    return statuses
-
-
-def _place(design: Design, context: SiteContext, robot: RobotId, arm: ArmState) -> PlaceId | None:
-    """Return where a robot is: what its last motion says, else its station if it is at home."""
-    if robot in context.site.place_by_robot:
-        return context.site.place_by_robot[robot]
-    home = design.cell.robot_by_id[robot].home_q_rad
-    is_home = max(abs(a - b) for a, b in zip(arm.q_rad, home, strict=True)) < _AT_HOME_RAD
-    return preparation_place(design.cell, robot) if is_home else None
-
-
-def lies_at(graph: ConstructionGraph, pieces: tuple[ComponentId, ...]) -> dict[ComponentId, str]:
-    """Return the stock place or buffer of each piece that lies on one."""
-    nodes = ((p, graph.node_by_id.get(p)) for p in pieces)
-    return {p: n.place for p, n in nodes if isinstance(n, MaterialNode) and n.place != NOWHERE}
 
 
 def target_node(graph: ConstructionGraph, target: ComponentId) -> TargetNode:
