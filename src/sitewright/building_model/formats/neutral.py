@@ -87,6 +87,8 @@ class NeutralFile:
 
     Attributes:
         metres_per_unit: None if the file states no unit.
+        notes: Sentences about the file as a whole, for instance what was left out.
+        raw: Facts of the file as a whole that are kept, e.g. ``survey``: where it lies on Earth.
     """
 
     kind: str
@@ -94,3 +96,4 @@ class NeutralFile:
     parts: tuple[NeutralPart, ...]
     relations: tuple[NeutralRelation, ...] = ()
     notes: tuple[str, ...] = ()
+    raw: Mapping[str, Json] = field(default_factory=dict)
