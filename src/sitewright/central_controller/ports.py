@@ -37,12 +37,15 @@ class RefusalNote:
 
     Attributes:
         kind: Class of the refusal, e.g. ``NoIk``, ``BlockedBy``, ``NoPlan``.
+        is_replanned: A plan was refused by it and made anew; False for what the batch check found
+            before there was a plan.
     """
 
     target: ComponentId
     kind: str
     reason: str
     is_proven: bool
+    is_replanned: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

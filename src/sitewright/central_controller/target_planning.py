@@ -205,6 +205,7 @@ def _note(
         kind=type(refusal).__name__,
         reason=refused_call(refused, calls, scope="", attempt=1).evidence,
         is_proven=is_proof(refusal),
+        is_replanned=True,
     )
 
 

@@ -177,11 +177,22 @@ def _figures(
         closest_distance_m=min(distances, default=None),
         worst_pose_error_m=max(errors_m, default=None),
         worst_pose_error_rad=max(errors_rad, default=None),
-        replans=sum(isinstance(e, ProposalSuperseded) and e.is_replan for e in events),
+        replans=sum(_is_replan(e) for e in events),
         questions_asked=sum(isinstance(e, QuestionAsked) for e in events),
         makespan_s=timeline(events).makespan_s,
         planning_s=_planning_times(events),
     )
+
+
+def _is_replan(event: AnyEvent) -> bool:
+    """Tell whether a plan was made anew: geometry refused it, or the site differed from it."""
+    match event:
+        case RefusalMet(refusal=refusal):
+            return refusal.is_replanned
+        case ProposalSuperseded(is_replan=is_replan):
+            return is_replan
+        case _:
+            return False
 
 
 def _planning_times(events: Sequence[AnyEvent]) -> dict[str, float]:
