@@ -10,17 +10,23 @@ from sitewright.errors import ModelRejectedError, Problem
 MAX_FILE_BYTES = 200_000_000
 MAX_JSON_BYTES = 100_000_000
 _LFS = b"version https://git-lfs.github.com/spec/"
+_OBJ_WORDS = frozenset(
+    {b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl"}
+)
 
 
 class FileKind(StrEnum):
-    """The kinds that are told apart; not all of them have a reader."""
+    """The kinds that are told apart; ``json`` and ``unknown`` have no reader."""
 
     NATIVE = "native"
     COMPAS_TIMBER = "compas_timber"
+    COMPAS_ASSEMBLY = "compas_assembly"
+    BAR_FRAME = "bar_frame"
     JSON = "json"
     RHINO = "rhino"
     IFC = "ifc"
     BTLX = "btlx"
+    OBJ = "obj"
     UNKNOWN = "unknown"
 
 
@@ -59,7 +65,7 @@ def kind_of(content: bytes) -> FileKind:
         return FileKind.BTLX if b"design2machine" in head else FileKind.UNKNOWN
     if head.startswith(b"{"):
         return _json_kind(content)
-    return FileKind.UNKNOWN
+    return FileKind.OBJ if _looks_like_obj(head) else FileKind.UNKNOWN
 
 
 def refused(path: Path, code: str, message: str, fix: str) -> ModelRejectedError:
@@ -71,4 +77,17 @@ def refused(path: Path, code: str, message: str, fix: str) -> ModelRejectedError
 def _json_kind(content: bytes) -> FileKind:
     if b'"sitewright.building/' in content:
         return FileKind.NATIVE
-    return FileKind.COMPAS_TIMBER if b'"compas_timber.' in content else FileKind.JSON
+    if b'"compas_timber.' in content:
+        return FileKind.COMPAS_TIMBER
+    if b'"compas_assembly.' in content:
+        return FileKind.COMPAS_ASSEMBLY
+    if b'"node_list"' in content and b'"element_list"' in content:
+        return FileKind.BAR_FRAME
+    return FileKind.JSON
+
+
+def _looks_like_obj(head: bytes) -> bool:
+    """Whether the first lines, comments aside, begin with words of that format."""
+    lines = [line.split(b"#", 1)[0].split() for line in head.splitlines()[:-1]]
+    words = [line[0] for line in lines if line]
+    return bool(words) and all(word in _OBJ_WORDS for word in words)

@@ -140,7 +140,7 @@ def _component(file: ComponentFile) -> Component:
         density_kg_m3=file.density_kg_m3,
         com_m=file.com_m,
         hold_until_fasteners=file.hold_until_fasteners,
-        operations=tuple(_operation(o, file.id) for o in file.operations),
+        operations=tuple(operation_from(o, file.id) for o in file.operations),
         grasps=tuple(pose_from(g) for g in file.grasps),
         source=None if file.source is None else _source(file.source),
         raw=file.raw,
@@ -176,7 +176,8 @@ def _solid(file: SolidFile) -> BoxGeometry | ExtrusionGeometry | ConvexGeometry 
     raise AssertionError("the file model lets exactly one kind of geometry pass")
 
 
-def _operation(file: OperationFile, component: str) -> Operation:
+def operation_from(file: OperationFile, component: str) -> Operation:
+    """Return an operation; without `on` it is of the component alone."""
     made, patch = file.fastener, file.patch
     return Operation(
         id=OperationId(file.id),

@@ -38,17 +38,24 @@ def unit_problems(where: str, unit_name: str | None, lengths: Sequence[float]) -
         message = f"unit {unit_name!r} is not known.{did_you_mean(unit_name, METRES_PER_UNIT)}"
         fix = f"Use one of {', '.join(METRES_PER_UNIT)}."
         return [Problem(code="U1", severity="E", where=where, message=message, fix=fix)]
-    return _unusual(where, unit_name, lengths)
+    return unusual_lengths(where, METRES_PER_UNIT[unit_name], lengths)
 
 
-def _unusual(where: str, unit_name: str, lengths: Sequence[float]) -> list[Problem]:
-    usual = median(lengths) * METRES_PER_UNIT[unit_name] if lengths else _USUAL_M[0]
+def unusual_lengths(where: str, metres: float, lengths: Sequence[float]) -> list[Problem]:
+    """Return U2 if the parts are of unusual length.
+
+    Args:
+        where: Name of the file.
+        metres: Metres per unit of the file.
+        lengths: Length of every part in the file's own numbers.
+    """
+    usual = median(lengths) * metres if lengths else _USUAL_M[0]
     if _USUAL_M[0] <= usual <= _USUAL_M[1]:
         return []
     fitting = [
         name
-        for name, metres in METRES_PER_UNIT.items()
-        if _USUAL_M[0] <= median(lengths) * metres <= _USUAL_M[1]
+        for name, other in METRES_PER_UNIT.items()
+        if _USUAL_M[0] <= median(lengths) * other <= _USUAL_M[1]
     ]
     message = f"median length {usual:.4g} m (usual {_USUAL_M[0]}-{_USUAL_M[1]:g})."
     fix = f"Did you mean {' or '.join(fitting)}?" if fitting else "Check the model's scale."
