@@ -9,6 +9,7 @@ from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NotClear
 from sitewright.planning_twin.scene import Attachment, Pair
+from sitewright.planning_twin.setting_down import lying_on_fixtures
 from sitewright.planning_twin.skill_motions.acts import PLANNERS as ACTS
 from sitewright.planning_twin.skill_motions.finish import plan_apply_finish
 from sitewright.planning_twin.skill_motions.reach import plan_reach
@@ -123,7 +124,12 @@ def _context_at(context: TwinContext, site: Jobsite, done: tuple[SkillCall, ...]
     """Return the context with the site of a step, and the piece in place if one is by then."""
     positioned = (ComponentId(c.arguments[0]) for c in reversed(done) if c.skill == Skill.POSITION)
     placed = next(positioned, context.task.placed)
-    return replace(context, site=site, task=replace(context.task, placed=placed))
+    here = replace(context, site=site, task=replace(context.task, placed=placed))
+    for call in done:
+        if call.skill == Skill.SET_DOWN:
+            piece = ComponentId(call.arguments[0])
+            here = replace(here, task=lying_on_fixtures(here, piece))
+    return here
 
 
 def places_after(

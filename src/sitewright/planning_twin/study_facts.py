@@ -10,6 +10,7 @@ from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.jobsite import Jobsite, tool_for, world_T_dock
 from sitewright.planning_twin.refusal import NoIk
+from sitewright.planning_twin.setting_down import places_to_set_down
 from sitewright.planning_twin.skill_times import SKILL_TIME_S, TYPICAL_REACH_S
 from sitewright.planning_twin.tacking import Holding, can_drive, held_site
 from sitewright.planning_twin.task import TwinContext
@@ -44,7 +45,10 @@ def base_facts(
     reach |= {(r, lies_at[p]) for r, p in handlers if p in lies_at}
     reach |= {(r.id, s.operation) for r, s, _ in tools_at_spots(context)}
     reach |= set(_stations_in_reach(context))
+    set_downs = frozenset(places_to_set_down(context, holdings.values()))
+    reach |= {(r, place) for r, _, place in set_downs}
     facts = GeometricFacts(
+        can_set_down=set_downs,
         can_reach=frozenset(reach),
         can_grasp=frozenset((r, tool, p) for r, p in handlers if (tool := mounted[r]) is not None),
         can_place=frozenset((r, p, target) for r, p in handlers),

@@ -12,7 +12,8 @@ from sitewright.planning_twin.approach import CONTACT_M, NEIGHBOUR_M
 from sitewright.planning_twin.jobsite import Jobsite, bodies_of_tool, finger_body, scene_of
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk
 from sitewright.planning_twin.scene import Body, SceneSnapshot
-from sitewright.planning_twin.skill_motions.reach import lying_on, placed_piece
+from sitewright.planning_twin.setting_down import lying_on_fixtures, pose_on
+from sitewright.planning_twin.skill_motions.reach import placed_piece
 from sitewright.planning_twin.skill_motions.stage import (
     PlannedSkill,
     SkillRefusal,
@@ -89,10 +90,12 @@ def plan_set_down(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     piece, place = ComponentId(call.arguments[0]), call.arguments[1]
     if place not in stage.context.task.buffers:
         return _refused(call, NoIk(is_proven=False, reason=f"{place} is no buffer"))
+    task = lying_on_fixtures(stage.context, piece)
+    stage = replace(stage, context=replace(stage.context, task=task))
     opening = _opening(stage, call.robot, piece)
     if isinstance(opening, BlockedBy):
         return _refused(call, opening)
-    pose = lying_on(stage, piece, place)
+    pose = pose_on(task.buffers[place], stage.site.pieces[piece])
     params: dict[str, Json] = {
         "piece": piece,
         "world_T_piece": pose_json(pose),

@@ -8,12 +8,12 @@ from functools import partial
 
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, RobotId, StationId
-from sitewright.foundation.pose import Pose, translation
 from sitewright.planning_twin.approach import Approach, Reaching, Touch
 from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.jobsite import world_T_dock
 from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.planning_twin.refusal import NoGrasp, NoIk, Refusal
+from sitewright.planning_twin.setting_down import pose_on
 from sitewright.planning_twin.skill_motions.finish import covers_patch, first_touches
 from sitewright.planning_twin.skill_motions.moving import move_to, move_to_any, reach_any
 from sitewright.planning_twin.skill_motions.stage import (
@@ -89,7 +89,8 @@ def _serves(
     held = stage.site.arms[robot].held
     piece = held or _piece_to_grasp(stage, robot, place)
     holding = None if piece is None else stage.holding(robot, piece)
-    if holding is None:
+    is_elsewhere = held is None and place != stage.study.lies_at.get(piece or ComponentId(""))
+    if holding is None or is_elsewhere:
         return True
     wanted = holding.pick_rad if held is None else holding.hold_rad
     is_placement = held is None or place == stage.context.task.target
@@ -136,17 +137,10 @@ def _set_down_touches(
     holding = stage.holding(robot, piece)
     if world_T_surface is None or holding is None:
         return NoIk(is_proven=False, reason=f"nothing can be set down at {place}")
-    pose = lying_on(stage, piece, place)
+    pose = pose_on(world_T_surface, stage.site.pieces[piece])
     tool = stage.tool(robot)
     fixtures = tuple(BodyId(f) for f in stage.context.cell.fixture_by_id)
     return [set_down_touch(pose, tool, piece, holding.grasp, touches=fixtures)]
-
-
-def lying_on(stage: Stage, piece: ComponentId, place: str) -> Pose:
-    """Return the pose of a piece that lies on a buffer's surface, along its x axis."""
-    surface = stage.context.task.buffers[place]
-    height_m = stage.site.pieces[piece].size_m[2]
-    return surface @ translation(0.0, 0.0, height_m / 2.0)
 
 
 def _spot_touches(stage: Stage, robot: RobotId, spot: Spot) -> Iterator[Touch]:
