@@ -46,6 +46,8 @@ def _remedies(nogoods: Sequence[Nogood]) -> str:
 
 
 def _remedy(nogood: Nogood) -> str:
+    if nogood.remedy:
+        return nogood.remedy
     predicate, robot, *others = nogood.fact
     match predicate:
         case "can-reach":

@@ -66,6 +66,20 @@ class GraspTrial:
                 if is_proven(self.carrying, approach.segments):
                     yield number, approach
 
+    def in_its_place(self) -> tuple[ComponentId, ...] | None:
+        """Return the pieces that lie where this one belongs; None if this grasp cannot get there.
+
+        It is the same for every posture and every other grasp.
+        """
+        task, insertion = self.context.task, self.context.task.insertions[0]
+        touch = place_touch(task, self.tool, self.piece, self.grasp, insertion)
+        postures = self.carrying.solve(touch.world_T_tip, self.robot.home_q_rad)
+        if isinstance(postures, NoIk):
+            return None
+        pairs = self.carrying.violations(postures[0], touch.near_m)
+        names = {other for pair in pairs if self.piece in pair for other in pair} - {self.piece}
+        return tuple(p for p in sorted(self.context.site.world_T_piece) if p in names)
+
     def can_leave(self, place: Approach) -> bool:
         """Tell whether the opened gripper gets away from the placed piece."""
         task = self.context.task

@@ -11,7 +11,7 @@ from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.approach import without_turns
 from sitewright.planning_twin.grasp_trial import GraspTrial, grasp_trial
 from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
-from sitewright.planning_twin.refusal import NoGrasp, NoIk, PayloadExceeded, Refusal
+from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk, PayloadExceeded, Refusal
 from sitewright.planning_twin.tacking import (
     Holding,
     forced_tacks,
@@ -51,11 +51,14 @@ def find_holding(
     tool = context.tool_of(robot.id)
     if tool is None or tool.grips_m is None:
         return NoGrasp(is_proven=True, candidates=0, reason="no gripper is mounted")
-    if heavy := _too_heavy(context, robot, tool, piece):
-        return heavy
     candidates = _candidates(context, robot, tool, piece)
-    if too_far := _too_far(context, robot, tool, piece, candidates):
-        return too_far
+    hopeless = (
+        _too_heavy(context, robot, tool, piece)
+        or _too_far(context, robot, tool, piece, candidates)
+        or _taken(context, robot, tool, piece, candidates)
+    )
+    if hopeless is not None:
+        return hopeless
     dropped: Counter[str] = Counter()
     most_tacks: tuple[OperationId, ...] = ()
     first = tried[-1].rank if tried else 0
@@ -91,6 +94,25 @@ def _ranks(first: int, count: int, dropped: Counter[str]) -> Iterator[int]:
     while rank < count:
         yield rank
         rank += max(1, (count - first) // _SPREAD) if dropped[_TACKS] >= _PATIENCE else 1
+
+
+def _taken(
+    context: TwinContext,
+    robot: Robot,
+    tool: EndEffector,
+    piece: ComponentId,
+    candidates: list[Grasp],
+) -> BlockedBy | None:
+    """Return which other pieces are where this one belongs, e.g. dropped there."""
+    trials = (grasp_trial(context, robot, tool, piece, g).in_its_place() for g in candidates)
+    others = next((found for found in trials if found is not None), ())
+    if not others:
+        return None
+    are = "is" if len(others) == 1 else "are"
+    return BlockedBy(
+        pairs=tuple((piece, other) for other in others),
+        reason=f"{' and '.join(others)} {are} in its place",
+    )
 
 
 def _too_far(

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.holding import find_holding, steadying
 from sitewright.planning_twin.jobsite import Jobsite
-from sitewright.planning_twin.refusal import NoGrasp, Refusal
+from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, Refusal
 from sitewright.planning_twin.scope import scope_of
 from sitewright.planning_twin.study_facts import base_facts, out_of_reach, tools_at_spots
 from sitewright.planning_twin.tacking import Holding
@@ -151,7 +151,11 @@ def _no_holding(
     else:
         fact = ("can-grasp", robot.id, arm.mounted, piece)
     evidence = f"{robot.id} cannot take {piece} and place it at {target}: {in_words(refusal)}"
-    return _refused(context, robot, fact, refusal, evidence)
+    refused = _refused(context, robot, fact, refusal, evidence)
+    if not isinstance(refusal, BlockedBy):
+        return refused
+    away = " and ".join(other for _, other in refusal.pairs)
+    return replace(refused, nogood=replace(refused.nogood, remedy=f"take {away} out of the way"))
 
 
 def _no_reach(context: TwinContext) -> Iterator[StudyRefusal]:

@@ -38,6 +38,7 @@ class Nogood:
         is_proven: False if a search budget ended.
         evidence: Sentence for people: what was tried and what was in the way.
         scope: Hash of all that it depends on (`scope_hash`); another hash and it is void.
+        remedy: What a person can do about it; empty if the fact says enough.
     """
 
     fact: Fact
@@ -45,6 +46,7 @@ class Nogood:
     is_proven: bool
     evidence: str
     scope: str
+    remedy: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
