@@ -78,6 +78,7 @@ def open_file(path: str) -> tuple[Any, list[str]]:
         raise UnreadableError(
             "E2", f"ifcopenshell cannot be loaded: {error}.", "Run: pip install 'sitewright[ifc]'"
         ) from None
+    ifcopenshell.get_log()  # empties it
     try:
         file = ifcopenshell.open(path)
     except ifcopenshell.SchemaError as error:

@@ -1,0 +1,194 @@
+"""IFC files for tests, made with ifcopenshell as an authoring program would write them."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ifcopenshell = pytest.importorskip("ifcopenshell", reason="needs the extra 'ifc'")
+
+from ifcopenshell import guid  # noqa: E402
+
+STUD_MM = (45.0, 95.0)
+Point = Sequence[float]
+
+
+class IfcDraft:
+    """An IFC file under construction, in millimetres unless told otherwise."""
+
+    def __init__(self, schema: str = "IFC4", *, prefix: str | None = "MILLI") -> None:
+        self.file: Any = ifcopenshell.file(schema=schema)
+        new = self.file.create_entity
+        self.context = new(
+            "IfcGeometricRepresentationContext",
+            ContextType="Model",
+            CoordinateSpaceDimension=3,
+            Precision=1e-5,
+            WorldCoordinateSystem=self.axes(),
+        )
+        self.body = new(
+            "IfcGeometricRepresentationSubContext",
+            ContextIdentifier="Body",
+            ContextType="Model",
+            ParentContext=self.context,
+            TargetView="MODEL_VIEW",
+        )
+        units = None
+        if prefix != "none":
+            length = new("IfcSIUnit", UnitType="LENGTHUNIT", Prefix=prefix, Name="METRE")
+            units = new("IfcUnitAssignment", Units=[length])
+        self.project = self.rooted(
+            "IfcProject", Name="panel", RepresentationContexts=[self.context], UnitsInContext=units
+        )
+
+    def rooted(self, kind: str, **values: Any) -> Any:
+        if self.file.schema == "IFC2X3" and "OwnerHistory" not in values:
+            values["OwnerHistory"] = self._history()
+        return self.file.create_entity(kind, GlobalId=guid.new(), **values)
+
+    def point(self, *values: float) -> Any:
+        return self.file.create_entity("IfcCartesianPoint", Coordinates=[float(v) for v in values])
+
+    def direction(self, *values: float) -> Any:
+        return self.file.create_entity("IfcDirection", DirectionRatios=[float(v) for v in values])
+
+    def axes(self, at: Point = (0, 0, 0), z: Point | None = None, x: Point | None = None) -> Any:
+        return self.file.create_entity(
+            "IfcAxis2Placement3D",
+            self.point(*at),
+            self.direction(*z) if z else None,
+            self.direction(*x) if x else None,
+        )
+
+    def placed(
+        self,
+        at: Point = (0, 0, 0),
+        z: Point | None = None,
+        x: Point | None = None,
+        *,
+        within: Any = None,
+    ) -> Any:
+        return self.file.create_entity("IfcLocalPlacement", within, self.axes(at, z, x))
+
+    def rectangle(self, sides: Point = STUD_MM) -> Any:
+        return self.file.create_entity(
+            "IfcRectangleProfileDef", "AREA", None, None, float(sides[0]), float(sides[1])
+        )
+
+    def outline(self, corners: Sequence[Point]) -> Any:
+        line = self.file.create_entity(
+            "IfcPolyline", Points=[self.point(*c) for c in (*corners, corners[0])]
+        )
+        return self.file.create_entity("IfcArbitraryClosedProfileDef", "AREA", None, line)
+
+    def extruded(self, profile: Any, depth: float, *, position: Any = None) -> Any:
+        position = position or self.axes()
+        up = self.direction(0, 0, 1)
+        return self.file.create_entity("IfcExtrudedAreaSolid", profile, position, up, float(depth))
+
+    def clipped(self, solid: Any, at: Point, normal: Point, *, agreement: bool = False) -> Any:
+        plane = self.file.create_entity("IfcPlane", self.axes(at, normal))
+        half = self.file.create_entity("IfcHalfSpaceSolid", plane, agreement)
+        return self.file.create_entity("IfcBooleanClippingResult", "DIFFERENCE", solid, half)
+
+    def shape(self, *items: Any) -> Any:
+        body = self.file.create_entity(
+            "IfcShapeRepresentation", self.body, "Body", "SolidModel", list(items)
+        )
+        return self.file.create_entity("IfcProductDefinitionShape", None, None, [body])
+
+    def element(
+        self, kind: str, name: str, placement: Any, shape: Any | None, **values: Any
+    ) -> Any:
+        return self.rooted(
+            kind, Name=name, ObjectPlacement=placement, Representation=shape, **values
+        )
+
+    def member(self, name: str, start: Point, along: Point, length: float, **values: Any) -> Any:
+        """Add a 45 x 95 member; its profile's x is across the axis, as level as it can be."""
+        x = (1, 0, 0) if along[2] else (0, 0, 1)
+        placement = self.placed(start, along, x)
+        shape = self.shape(self.extruded(self.rectangle(), length))
+        return self.element("IfcMember", name, placement, shape, **values)
+
+    def whole(self, kind: str, name: str, parts: Sequence[Any], **values: Any) -> Any:
+        whole = self.element(kind, name, self.placed(), values.pop("shape", None), **values)
+        self.rooted("IfcRelAggregates", RelatingObject=whole, RelatedObjects=list(parts))
+        return whole
+
+    def properties(self, element: Any, name: str, values: Mapping[str, object]) -> Any:
+        new = self.file.create_entity
+        kinds = {str: "IfcLabel", int: "IfcInteger", float: "IfcReal", bool: "IfcBoolean"}
+        single = [
+            new("IfcPropertySingleValue", key, None, new(kinds[type(v)], v), None)
+            for key, v in values.items()
+        ]
+        own = self.rooted("IfcPropertySet", Name=name, HasProperties=single)
+        return self.rooted(
+            "IfcRelDefinesByProperties",
+            RelatedObjects=[element],
+            RelatingPropertyDefinition=own,
+        )
+
+    def material(self, name: str, elements: Sequence[Any]) -> None:
+        material = self.file.create_entity("IfcMaterial", Name=name)
+        self.rooted(
+            "IfcRelAssociatesMaterial", RelatedObjects=list(elements), RelatingMaterial=material
+        )
+
+    def task(self, name: str, builds: Sequence[Any] = (), **values: Any) -> Any:
+        task = self.rooted("IfcTask", Name=name, IsMilestone=False, **values)
+        for element in builds:
+            self.rooted("IfcRelAssignsToProduct", RelatedObjects=[task], RelatingProduct=element)
+        return task
+
+    def sequence(self, *tasks: Any) -> None:
+        for before, after in itertools.pairwise(tasks):
+            self.rooted(
+                "IfcRelSequence",
+                RelatingProcess=before,
+                RelatedProcess=after,
+                SequenceType="FINISH_START",
+            )
+
+    def write(self, path: Path) -> Path:
+        self.file.write(str(path))
+        return path
+
+    def _history(self) -> Any:
+        if found := self.file.by_type("IfcOwnerHistory"):
+            return found[0]
+        new = self.file.create_entity
+        person = new(
+            "IfcPersonAndOrganization", new("IfcPerson"), new("IfcOrganization", None, "x")
+        )
+        program = new("IfcApplication", person.TheOrganization, "1", "x", "x")
+        return new("IfcOwnerHistory", person, program, None, "ADDED", None, None, None, 0)
+
+
+def wall_panel(schema: str = "IFC4") -> IfcDraft:
+    """Return a standing panel: bottom plate, three studs, top plate, grouped, with tasks.
+
+    The plates lie along x, 1.29 m long; studs are 2.4 m high, 600 mm apart; all 45 x 95.
+    """
+    draft = IfcDraft(schema)
+    kinds = (
+        ({"PredefinedType": "PLATE"}, {"PredefinedType": "STUD"})
+        if schema != "IFC2X3"
+        else ({}, {})
+    )
+    bottom = draft.member("bottom", (0, 0, 22.5), (1, 0, 0), 1290.0, **kinds[0])
+    studs = [
+        draft.member("stud", (22.5 + 622.5 * n, 0, 45), (0, 0, 1), 2400.0, **kinds[1])
+        for n in range(3)
+    ]
+    top = draft.member("top", (0, 0, 2467.5), (1, 0, 0), 1290.0, **kinds[0])
+    draft.whole("IfcElementAssembly", "panel A", [bottom, *studs, top])
+    draft.material("C24", [bottom, *studs, top])
+    tasks = [draft.task("plate", [bottom]), draft.task("studs", studs), draft.task("cap", [top])]
+    draft.sequence(*tasks)
+    return draft
