@@ -7,6 +7,7 @@ from collections.abc import Mapping
 CODES: Mapping[str, str] = {
     "C1": "A fastener reaches less than 30 mm into what it should hold.",
     "C2": "A fastening operation lacks its fastener or what it goes into.",
+    "C3": "A rule's fasteners do not fit on a contact, or their entry face is covered.",
     "D1": "An id is used twice.",
     "E2": "The file cannot be read.",
     "E3": "The file is of another kind, or holds no parts.",
@@ -34,6 +35,7 @@ CODES: Mapping[str, str] = {
     "P2": "Construction parents or the order of operations form a cycle.",
     "P3": "A construction parent is on a layer that carries nothing.",
     "P4": "The order contradicts the construction parents.",
+    "P6": "A stated fact contradicts the geometry; it is kept.",
     "Q1": "A component is too heavy for every handler.",
     "Q2": "No gripper holds a component's section.",
     "Q3": "No tool drives a fastener, or does a process.",

@@ -63,6 +63,8 @@ def _arriving(target: Component, arrival: Arrival, statics: Statics, word: str) 
             Origin.INFERRED,
             f"its lowest point is within 5 mm of the lowest of all ({statics.ground_m:.3f} m)",
         )
+    if arrival.way is not None and INSERTION not in target.ext:
+        origins["insertion"] = (Origin.INFERRED, "the way out of the finished frame, reversed")
     if word != target.type:
         origins["type"] = (Origin.INFERRED, f"{target.type!r}, marked: others are cut differently")
     return replace(
@@ -71,7 +73,7 @@ def _arriving(target: Component, arrival: Arrival, statics: Statics, word: str) 
         order=arrival.number if target.order is None else target.order,
         construction_parents=target.construction_parents or arrival.parents,
         ground=target.ground or is_grounded,
-        ext={**target.ext, **_way_in(arrival)},
+        ext={**_way_in(arrival), **target.ext},
         origins=origins,
     )
 
