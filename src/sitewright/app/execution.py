@@ -24,6 +24,7 @@ from sitewright.central_controller.ports import Answer, Approver, Question
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.site_state import SiteState, site_of
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.ids import ComponentId
 from sitewright.robot_team.driver import CellDriver
 from sitewright.robot_team.piece import Piece
 
@@ -125,12 +126,26 @@ def cell_figures(driver: CellDriver) -> Mapping[str, Json]:
 
 def write_as_built(model: BuildingModel, folder: Path, site: SiteState) -> None:
     """Write the as-built model of a run: the design with all installed targets folded in."""
-    records = [
+    write_building(fold(model, install_records(site)), folder / AS_BUILT)
+
+
+def install_records(
+    site: SiteState, installed_at: Mapping[ComponentId, str] | None = None
+) -> list[InstallRecord]:
+    """Return what is known of each installed target.
+
+    Args:
+        site: The folded site.
+        installed_at: Time of installation, ISO 8601, where it is known.
+    """
+    times = installed_at or {}
+    return [
         InstallRecord(
             target=target,
             material=placed.piece,
             world_T_measured=placed.world_T_measured,
             robot=placed.robot,
+            installed_at=times.get(target, ""),
             operations={
                 o: "done" if o in site.done_operations else "open"
                 for o in site.operations.get(target, ())
@@ -139,7 +154,6 @@ def write_as_built(model: BuildingModel, folder: Path, site: SiteState) -> None:
         for target in site.installed
         if (placed := site.placed.get(target)) is not None
     ]
-    write_building(fold(model, records), folder / AS_BUILT)
 
 
 def has_targets(model: BuildingModel) -> bool:

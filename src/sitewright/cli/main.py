@@ -8,7 +8,9 @@ from collections.abc import Sequence
 
 import click
 
+from sitewright.cli.export_commands import export
 from sitewright.cli.failure import failed
+from sitewright.cli.infer_commands import explain, infer
 from sitewright.cli.plan_commands import graph, plan, show
 from sitewright.cli.project_commands import check, import_, new
 from sitewright.cli.run_commands import demo, report, resolve, run
@@ -32,12 +34,15 @@ for _command in (
     new,
     import_,
     check,
+    infer,
+    explain,
     graph,
     plan,
     show,
     run,
     resolve,
     report,
+    export,
     doctor,
     version,
 ):
