@@ -28,6 +28,8 @@ COMMANDS = {
     "new",
     "import",
     "check",
+    "infer",
+    "explain",
     "graph",
     "plan",
     "show",
