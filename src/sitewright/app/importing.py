@@ -1,19 +1,66 @@
-"""Makes a project of a file of another program: read, infer what it lacks, write."""
+"""Makes a project of a file of another program: read, infer what a timber frame lacks, write."""
 
 from __future__ import annotations
 
 import shutil
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from importlib.util import find_spec
 from pathlib import Path
 
 from sitewright.app.project import BUILDING, CELL, ProjectError, example_folder
-from sitewright.building_model.component import Layer
+from sitewright.building_model.formats.bar_frame import read_bar_frame
+from sitewright.building_model.formats.btlx import read_btlx
+from sitewright.building_model.formats.compas_assembly import read_compas_assembly
 from sitewright.building_model.formats.compas_timber import import_compas_timber
-from sitewright.building_model.formats.native import write_building
+from sitewright.building_model.formats.cut_joints import cut_joints
+from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
+from sitewright.building_model.formats.from_neutral import model_of, targets_in
+from sitewright.building_model.formats.ifc import read_ifc
+from sitewright.building_model.formats.import_map import ImportMap, read_map
+from sitewright.building_model.formats.native import read_building, write_building
+from sitewright.building_model.formats.neutral import NeutralFile
+from sitewright.building_model.formats.obj import read_obj
+from sitewright.building_model.formats.rhino import read_rhino
 from sitewright.building_model.inference.assembly import infer_assembly
-from sitewright.errors import Problem
+from sitewright.building_model.model import BuildingModel
+from sitewright.errors import BackendMissingError, Problem
 
+REPAIRS = ("hull",)
 _CELL_EXAMPLE = "frame_house"
+_TIMBER_FRAMES = frozenset({FileKind.COMPAS_TIMBER, FileKind.BTLX})
+"""Frames of sawn beams: what they lack is inferred at once."""
+_EXTRAS: Mapping[FileKind, tuple[str, str]] = {
+    FileKind.RHINO: ("rhino3dm", "rhino"),
+    FileKind.IFC: ("ifcopenshell", "ifc"),
+    FileKind.COMPAS_TIMBER: ("compas_timber", "timber"),
+}
+"""What must be installed for a kind of file: package and extra."""
+_READERS: Mapping[FileKind, Callable[[Path], NeutralFile]] = {
+    FileKind.RHINO: read_rhino,
+    FileKind.IFC: read_ifc,
+    FileKind.BTLX: read_btlx,
+    FileKind.OBJ: read_obj,
+    FileKind.COMPAS_ASSEMBLY: read_compas_assembly,
+    FileKind.BAR_FRAME: read_bar_frame,
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ImportOptions:
+    """How a file is to be taken.
+
+    Attributes:
+        unit: Length unit of its numbers (``mm``, ``m`` ...), if the file states none.
+        map_file: An ``import.toml`` that says what foreign keys and layers mean.
+        repair: ``hull`` closes open meshes by their convex hull.
+        is_split: Parts of several bodies become several components.
+    """
+
+    unit: str | None = None
+    map_file: Path | None = None
+    repair: str | None = None
+    is_split: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,32 +68,41 @@ class ImportResult:
     """A project that was made of a file.
 
     Attributes:
+        kind: What kind of file it was, told by its content.
         problems: Warnings, and what could not be inferred.
         has_new_cell: The folder had no cell; it got one laid out for timber frames.
+        is_inferred: Order, supports and stock were inferred, not only read.
     """
 
     folder: Path
+    kind: str
     targets_total: int
-    problems: tuple[Problem, ...]
-    has_new_cell: bool
+    problems: tuple[Problem, ...] = field(default=())
+    has_new_cell: bool = False
+    is_inferred: bool = False
 
 
-def import_file(file: Path, unit: str | None, out: Path) -> ImportResult:
-    """Read a timber model, infer what its format cannot say, and write a project.
+def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> ImportResult:
+    """Read a design of any known kind and write a project; nothing is left if that fails.
 
     Args:
-        file: A compas_timber JSON file.
-        unit: Length unit of its numbers (``mm``, ``m`` ...).
+        file: The design; its kind is told by its content.
         out: Project folder; a building that is there already is not overwritten.
+        options: How to take it.
 
     Raises:
-        ModelRejectedError: The file cannot be read, or parts of it are wrong.
+        ModelRejectedError: The file or the map cannot be read, or parts of it are wrong.
+        BackendMissingError: The extra for this kind of file is not installed.
         ProjectError: The folder holds a building already.
     """
+    options = options or ImportOptions()
     if (out / BUILDING).exists():
         raise ProjectError(f"{out} has a {BUILDING} already; name a new folder.")
-    model, warnings = import_compas_timber(file, unit)
-    model, open_points = infer_assembly(model)
+    kind, model, problems = read_design(file, options)
+    is_inferred = kind in _TIMBER_FRAMES
+    if is_inferred:
+        model, open_points = infer_assembly(model)
+        problems = [*problems, *open_points]
     out.mkdir(parents=True, exist_ok=True)
     has_new_cell = not (out / CELL).exists()
     if has_new_cell:
@@ -54,7 +110,58 @@ def import_file(file: Path, unit: str | None, out: Path) -> ImportResult:
     write_building(model, out / BUILDING)
     return ImportResult(
         folder=out,
-        targets_total=sum(c.layer is Layer.TARGET for c in model.component_by_id.values()),
-        problems=(*warnings, *open_points),
+        kind=str(kind),
+        targets_total=targets_in(model),
+        problems=tuple(problems),
         has_new_cell=has_new_cell,
+        is_inferred=is_inferred,
     )
+
+
+def read_design(
+    file: Path, options: ImportOptions
+) -> tuple[FileKind, BuildingModel, list[Problem]]:
+    """Return what a design file holds; nothing is inferred but the joints of a BTLx file.
+
+    Raises:
+        ModelRejectedError: The file or the map cannot be read, or parts of it are wrong.
+        BackendMissingError: The extra for this kind of file is not installed.
+    """
+    words = ImportMap() if options.map_file is None else read_map(options.map_file)
+    kind = kind_of(read_limited(file))
+    _demand_extra(kind)
+    if kind is FileKind.NATIVE:
+        return kind, read_building(file), []
+    if kind is FileKind.COMPAS_TIMBER:
+        model, problems = import_compas_timber(file, options.unit)
+        return kind, model, problems
+    neutral = _reader(file, kind)(file)
+    model, problems = model_of(
+        neutral,
+        file,
+        unit=options.unit,
+        mapping=words,
+        repair=options.repair,
+        split=options.is_split,
+    )
+    if kind is FileKind.BTLX:
+        model = replace(model, relations=(*model.relations, *cut_joints(model)))
+    return kind, model, problems
+
+
+def _reader(file: Path, kind: FileKind) -> Callable[[Path], NeutralFile]:
+    reader = _READERS.get(kind)
+    if reader is None:
+        message = f"this is no design that Sitewright reads (it looks like: {kind})."
+        known = "Rhino .3dm, IFC, BTLx, OBJ, compas_timber, compas_assembly or bar-frame JSON"
+        raise refused(file, "E3", message, f"Give it one of: {known}.")
+    return reader
+
+
+def _demand_extra(kind: FileKind) -> None:
+    package, extra = _EXTRAS.get(kind, ("", ""))
+    if package and find_spec(package) is None:
+        installed = (p for p, _ in _EXTRAS.values() if find_spec(p) is not None)
+        raise BackendMissingError(
+            "reader", package, available=installed, install=f"pip install 'sitewright[{extra}]'"
+        )

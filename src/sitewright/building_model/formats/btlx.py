@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from sitewright.building_model.component import PlaneCut
@@ -80,7 +80,7 @@ def _part(
     return NeutralPart(
         source_id=source_id,
         kind="part",
-        name=attributes.get("Designation", ""),
+        name=_label(attributes, source_id),
         type=attributes.get("Annotation", ""),
         material=attributes.get("Material", ""),
         group=attributes.get("AssemblyNumber", ""),
@@ -90,6 +90,12 @@ def _part(
         raw=_raw(node, work),
         problems=tuple(said),
     )
+
+
+def _label(attributes: Mapping[str, str], source_id: str) -> str:
+    """Return designation and member number: designations alone are alike in whole frames."""
+    member = attributes.get("SingleMemberNumber") or source_id
+    return f"{attributes.get('Designation', '')} {member}".strip()
 
 
 def _size(node: XmlNode) -> Vector | None:
