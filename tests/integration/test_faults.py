@@ -10,6 +10,7 @@ import json
 import os
 import resource
 import shutil
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -37,7 +38,7 @@ from sitewright.robot_team.skill import Skill
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 
-OK, NO_MOTION, EXECUTION_FAILED, LOCKED, BACKEND = 0, 6, 8, 9, 10
+OK, NO_MOTION, EXECUTION_FAILED, LOCKED, BACKEND, INTERRUPTED = 0, 6, 8, 9, 10, 130
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +46,7 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RealSite]:
     """A project of one stud on the table, built."""
     with real_site(tmp_path_factory.mktemp("built"), studs=0, supports=1) as site:
         assert site.run().exit_code == OK
+        assert site.cell_pid() is None, "the cell ends with the run"
         yield site
 
 
@@ -254,6 +256,19 @@ def test_a_second_run_of_a_project_is_refused_while_the_first_goes_on(tmp_path: 
         assert second.exit_code == LOCKED
         assert str(first.pid) in second.message
         assert site.end_of(first).exit_code == OK
+        check_journal_against_physics(site, nails=0)
+
+
+def test_an_interrupt_stops_the_robots_and_the_same_command_goes_on(tmp_path: Path) -> None:
+    with real_site(tmp_path, studs=0, supports=1, real_time_factor=2.0) as site:
+        life = site.begin()
+        until(lambda: site.last_cell_record().get("skill") == Skill.GRASP)
+        until(lambda: site.last_cell_record().get("skill") == Skill.REACH)
+        life.send_signal(signal.SIGINT)
+        assert site.end_of(life).exit_code == INTERRUPTED
+        until(lambda: site.last_cell_record()["kind"] == "ended")
+        assert site.last_cell_record()["report"]["reason"] == "held"
+        assert site.run().exit_code == OK
         check_journal_against_physics(site, nails=0)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeVar
 
-from sitewright.errors import BackendError
+from sitewright.errors import BackendError, BackendMissingError
 from sitewright.foundation.ids import CommandId
 from sitewright.robot_team.driver import CellDriver, CommandStatus, Observation, SkillReport
 from sitewright.robot_team.skill import SkillCommand
@@ -20,8 +20,9 @@ class CellLostError(Exception):
 class CellLink:
     """A driver whose `BackendError` becomes a `CellLostError`; no other backend's does."""
 
-    def __init__(self, driver: CellDriver) -> None:
-        self.driver = driver
+    def __init__(self, connect: Callable[[], CellDriver]) -> None:
+        """Connect; a cell that does not come up is as good as lost."""
+        self.driver = _linked(connect)
 
     def new_epoch(self) -> int:
         """Raise the epoch."""
@@ -51,5 +52,7 @@ class CellLink:
 def _linked(call: Callable[[], _T]) -> _T:
     try:
         return call()
+    except BackendMissingError:
+        raise  # trying again does not install it
     except BackendError as error:
         raise CellLostError(str(error)) from error

@@ -63,6 +63,7 @@ def run_command(
         key=installation_key(_state_home()),
         write_as_built=partial(write_as_built, project.model),
         final_figures=cell_figures,
+        end_cell=end_cell,
         pause=time.sleep,
         on_event=on_event or (lambda _event: None),
     )
@@ -122,6 +123,13 @@ def cell_figures(driver: CellDriver) -> Mapping[str, Json]:
     """Return what the simulated cell tells beyond the port: contacts, physical log, time."""
     extra = getattr(driver, "extra", None)
     return {} if extra is None else dict(extra())
+
+
+def end_cell(driver: CellDriver) -> None:
+    """End the process of a simulated cell; its log stays, and the next one goes on from there."""
+    shutdown = getattr(driver, "shutdown", None)
+    if shutdown is not None:
+        shutdown()
 
 
 def write_as_built(model: BuildingModel, folder: Path, site: SiteState) -> None:

@@ -168,6 +168,8 @@ def _go_on(
         try:
             run.record(first)
             run_to_stop(run, perform)
+            if run.state.finished is not None:
+                run.end_cell()
         except BaseException:
             run.hold_if_connected()
             raise

@@ -9,6 +9,7 @@ import shutil
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from sitewright.app.cell_link import CellLink, CellLostError
@@ -47,6 +48,7 @@ class RunPorts:
         write_as_built: Called with the run's folder after each installed target.
         final_figures: What the cell tells at the end of a run, for the report.
         on_event: Progress for people.
+        end_cell: Ends the cell when the run is over; by default it lives on.
         pause: Waits some seconds between two looks at the ledger.
         min_free_bytes: With less space on the disk no skill is started.
     """
@@ -62,6 +64,7 @@ class RunPorts:
     final_figures: Callable[[CellDriver], Mapping[str, Json]]
     pause: Callable[[float], None]
     on_event: Callable[[AnyEvent], None] = field(default=lambda _: None)
+    end_cell: Callable[[CellDriver], None] = field(default=lambda _: None)
     min_free_bytes: int = 500_000_000
 
 
@@ -88,8 +91,14 @@ class Run:
     def connect(self) -> CellLink:
         """Open the connection to the cell anew."""
         self.disconnect()
-        self._link = CellLink(self.ports.connect(self._home))
+        self._link = CellLink(partial(self.ports.connect, self._home))
         return self._link
+
+    def end_cell(self) -> None:
+        """End the cell after the run; one that is gone already needs no end."""
+        if self._link is not None:
+            with suppress(CellLostError):
+                self._link.ask(self.ports.end_cell)
 
     def disconnect(self) -> None:
         """Let the cell go; it lives on."""
