@@ -17,7 +17,7 @@ from sitewright.building_model.formats.ifc_reader import read
 from sitewright.building_model.model import BuildingModel
 from sitewright.errors import ModelRejectedError
 from sitewright.foundation.ids import ComponentId, OperationId
-from sitewright.foundation.pose import rotation, translation
+from sitewright.foundation.pose import norm, rotation, translation
 
 NOW = "2030-05-01T18:00:00+00:00"
 SCHEMAS = ("IFC4", "IFC2X3", "IFC4X3")
@@ -162,6 +162,23 @@ def test_an_export_of_an_export_hides_nothing(tmp_path: Path) -> None:
     assert len(patch.written) == 1
 
 
+def test_deviations_are_told_in_the_frame_of_the_model(tmp_path: Path) -> None:
+    original = wall_panel().write(tmp_path / "panel.ifc")
+    world_T_model = translation(2.0, 1.0, 0.5) @ rotation((0.0, 0.0, 1.0), 0.01)
+    model = replace(model_of_panel(original), origin_shift_m=(100.0, 0.0, 0.0))
+    out = tmp_path / "o.ifc"
+    patch = export_ifc(
+        original, built(model, "bottom"), out, written_at=NOW, world_T_model=world_T_model
+    )
+    file = ifcopenshell.open(out)
+    values = get_psets(file.by_guid(patch.written[0]))["Sitewright_Construction"]
+    at = world_T_model.inverse().apply((0.003, 0.004, 0.0))
+    assert values["DeviationMm"] == pytest.approx(1000.0 * norm(at), abs=1e-3)
+    assert values["DeviationDeg"] == pytest.approx(0.0, abs=1e-4)
+    x, y, z = (float(v) for v in values["MeasuredCentreM"].split())
+    assert (x, y, z) == pytest.approx((at[0] + 100.0, at[1], at[2]), abs=1e-6)
+
+
 def test_what_the_file_does_not_hold_is_named(tmp_path: Path) -> None:
     original = wall_panel().write(tmp_path / "panel.ifc")
     model = model_of_panel(original)
@@ -177,9 +194,18 @@ def test_an_element_of_which_only_a_body_is_built_is_partly_built(tmp_path: Path
     original = wall_panel().write(tmp_path / "panel.ifc")
     model = model_of_panel(original)
     bottom = next(c for c in model.component_by_id.values() if c.name == "bottom")
-    twin = replace(bottom, id=ComponentId("twin"), name="twin")
-    model = replace(model, component_by_id={**model.component_by_id, twin.id: twin})
-    patch = export_ifc(original, built(model, "twin"), tmp_path / "o.ifc", written_at=NOW)
+    assert bottom.source
+    bodies = [
+        replace(
+            bottom, id=ComponentId(n), name=n, source=replace(bottom.source, id=f"{bottom.id}.{n}")
+        )
+        for n in ("1", "2")
+    ]
+    model = replace(
+        model,
+        component_by_id={b.id: b for b in [*bodies, model.component_by_id[ComponentId("piece")]]},
+    )
+    patch = export_ifc(original, built(model, "1"), tmp_path / "o.ifc", written_at=NOW)
     file = ifcopenshell.open(patch.path)
     values = get_psets(file.by_guid(patch.written[0]))
     assert values["Sitewright_Construction"]["Status"] == "partly"

@@ -74,7 +74,9 @@ def export_ifc(project: Project, original: Path, out: Path) -> Export:
 
     model = as_built_model(project)
     now = _iso(SystemClock().utc_ns())
-    patch = ifc_export.export_ifc(original, model, out, written_at=now)
+    patch = ifc_export.export_ifc(
+        original, model, out, written_at=now, world_T_model=project.cell.world_T_model
+    )
     missing = tuple(
         f"{i} is not in {original.name}; nothing was written of it." for i in patch.not_found
     )

@@ -22,7 +22,7 @@ from sitewright.building_model.formats.import_process import ChildFailed, Limits
 from sitewright.building_model.model import BuildingModel
 from sitewright.errors import BuildingModelError
 from sitewright.foundation.canonical import Json, sha256_hex
-from sitewright.foundation.pose import Vector, add
+from sitewright.foundation.pose import Pose, Vector, add
 
 _PATCH = "sitewright.building_model.formats.ifc_patch"
 _END_OF_SECTION = b"ENDSEC;"
@@ -57,6 +57,7 @@ def export_ifc(
     out: Path,
     *,
     written_at: str,
+    world_T_model: Pose | None = None,
     limits: Limits | None = None,
 ) -> IfcPatch:
     """Write `out`: the original and, on top, what was built.
@@ -66,6 +67,7 @@ def export_ifc(
         as_built: The model with as-built records folded in.
         out: The copy; replaced as a whole once it has been read back.
         written_at: Time of writing, ISO 8601; used where no component has a time.
+        world_T_model: Places the model in the cell that measured it; the identity if missing.
         limits: What the parsing child may use.
 
     Raises:
@@ -77,7 +79,7 @@ def export_ifc(
     content = read_limited(original)
     if kind_of(content) is not FileKind.IFC or _END_OF_SECTION not in content:
         raise refused(original, "E3", "this is no IFC file in STEP format.", "Name the original.")
-    records = _records(as_built)
+    records = _records(as_built, world_T_model or Pose())
     request = {"seed": sha256_hex(content), "written_at": written_at}
     limits = limits or Limits()
     answer = _ask(original, {**request, "records": records, "expected": []}, limits)
@@ -133,21 +135,26 @@ def _write(path: Path, content: bytes) -> None:
         os.fsync(file.fileno())
 
 
-def _records(model: BuildingModel) -> list[dict[str, Json]]:
-    """Return one record per IFC element with something built, in order of time."""
+def _records(model: BuildingModel, world_T_model: Pose) -> list[dict[str, Json]]:
+    """Return one record per IFC element with something built, in order of time.
+
+    A component that is one body of an element has the element's id and a number behind a dot.
+    """
     by_source: dict[str, list[Component]] = defaultdict(list)
     for component in model.component_by_id.values():
         if component.source is not None and component.source.kind == FileKind.IFC:
-            by_source[component.source.id].append(component)
+            by_source[component.source.id.partition(".")[0]].append(component)
     found = [
-        _record(source, components, model.origin_shift_m)
+        _record(source, components, world_T_model.inverse(), model.origin_shift_m)
         for source, components in sorted(by_source.items())
         if any(c.as_built is not None for c in components)
     ]
     return sorted(found, key=lambda r: (str(r["built_at"]), str(r["source_id"])))
 
 
-def _record(source: str, components: Sequence[Component], shift: Vector) -> dict[str, Json]:
+def _record(
+    source: str, components: Sequence[Component], model_T_world: Pose, shift: Vector
+) -> dict[str, Json]:
     built = [(c, c.as_built) for c in components if c.as_built is not None]
     component, state = max(built, key=lambda pair: (pair[1].installed_at, pair[0].id))
     is_whole = len(built) == len(components) and len({s.status for _, s in built}) == 1
@@ -160,7 +167,7 @@ def _record(source: str, components: Sequence[Component], shift: Vector) -> dict
         ["Robot", "IfcLabel", state.robot],
         ["MaterialUsed", "IfcLabel", state.material_used],
         ["Operations", "IfcText", "; ".join(f"{o}: {s}" for o, s in state.operations.items())],
-        *_measured(component, state, shift),
+        *_measured(component, state, model_T_world, shift),
     ]
     return {
         "source_id": source,
@@ -171,10 +178,12 @@ def _record(source: str, components: Sequence[Component], shift: Vector) -> dict
     }
 
 
-def _measured(component: Component, state: AsBuilt, shift: Vector) -> list[list[Json]]:
-    measured = state.world_T_component_measured
-    if measured is None:
+def _measured(
+    component: Component, state: AsBuilt, model_T_world: Pose, shift: Vector
+) -> list[list[Json]]:
+    if state.world_T_component_measured is None:
         return []
+    measured = model_T_world @ state.world_T_component_measured
     design = component.world_T_component
     at = add(measured.position_m, shift)
     return [

@@ -9,7 +9,7 @@ import json
 import os
 import sys
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from sitewright.building_model.formats.import_process import limit_own_resources
@@ -57,12 +57,13 @@ def read(path: str) -> dict[str, Any]:
     elements, left_out = _elements(file)
     order, order_notes = construction_order(file)
     parts = _parts(file, elements, order, metres)
+    survey = _survey(file)
     return {
         "metres_per_unit": metres,
         "parts": parts,
         "relations": _relations(file, {p["source_id"] for p in parts}),
-        "survey": _survey(file),
-        "notes": [*notes, *left_out, *order_notes],
+        "survey": survey,
+        "notes": [*notes, *left_out, *order_notes, *_survey_note(survey)],
     }
 
 
@@ -234,6 +235,13 @@ def _survey(file: Any) -> dict[str, Any]:  # noqa: ANN401
         values = {n: getattr(conversion, n) for n in names if getattr(conversion, n) is not None}
         return {**values, "crs": str(target.Name) if target is not None else ""}
     return {}
+
+
+def _survey_note(survey: Mapping[str, Any]) -> list[str]:
+    if not survey:
+        return []
+    values = ", ".join(f"{k} {v}" for k, v in survey.items() if v != "")
+    return [f"Its survey origin ({values}) is not applied: coordinates are the file's own."]
 
 
 if __name__ == "__main__":
