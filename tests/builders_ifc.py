@@ -170,23 +170,27 @@ class IfcDraft:
         return new("IfcOwnerHistory", person, program, None, "ADDED", None, None, None, 0)
 
 
-def wall_panel(schema: str = "IFC4") -> IfcDraft:
+def wall_panel(schema: str = "IFC4", *, at: Point = (0, 0, 0), stud_mm: float = 2400.0) -> IfcDraft:
     """Return a standing panel: bottom plate, three studs, top plate, grouped, with tasks.
 
-    The plates lie along x, 1.29 m long; studs are 2.4 m high, 600 mm apart; all 45 x 95.
+    The plates lie along x, 1.29 m long; studs are 622.5 mm apart; all are 45 x 95.
+
+    Args:
+        schema: IFC schema.
+        at: Left end of the bottom plate's lower side, in the middle of its width.
+        stud_mm: Length of the studs.
     """
     draft = IfcDraft(schema)
-    kinds = (
-        ({"PredefinedType": "PLATE"}, {"PredefinedType": "STUD"})
-        if schema != "IFC2X3"
-        else ({}, {})
+    plate, stud = (
+        {} if schema == "IFC2X3" else {"PredefinedType": kind} for kind in ("PLATE", "STUD")
     )
-    bottom = draft.member("bottom", (0, 0, 22.5), (1, 0, 0), 1290.0, **kinds[0])
+    x, y, z = at
+    bottom = draft.member("bottom", (x, y, z + 22.5), (1, 0, 0), 1290.0, **plate)
     studs = [
-        draft.member("stud", (22.5 + 622.5 * n, 0, 45), (0, 0, 1), 2400.0, **kinds[1])
+        draft.member("stud", (x + 22.5 + 622.5 * n, y, z + 45), (0, 0, 1), stud_mm, **stud)
         for n in range(3)
     ]
-    top = draft.member("top", (0, 0, 2467.5), (1, 0, 0), 1290.0, **kinds[0])
+    top = draft.member("top", (x, y, z + 67.5 + stud_mm), (1, 0, 0), 1290.0, **plate)
     draft.whole("IfcElementAssembly", "panel A", [bottom, *studs, top])
     draft.material("C24", [bottom, *studs, top])
     tasks = [draft.task("plate", [bottom]), draft.task("studs", studs), draft.task("cap", [top])]
