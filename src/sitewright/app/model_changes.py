@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sitewright.building_model.component import Component, Origin
+from sitewright.building_model.component import Component, Layer, Origin
 from sitewright.building_model.formats.to_file import document_of
 from sitewright.building_model.model import BuildingModel
 from sitewright.foundation.canonical import Json
@@ -63,7 +63,8 @@ def given_facts_changed(changes: Sequence[Change], before: BuildingModel) -> lis
         component = before.component_by_id.get(ComponentId(change.where))
         if component is None or change.old is None or change.key == _EVIDENCE:
             continue
-        if not _may_change(component, change):
+        is_own = component.layer is Layer.MATERIAL and "layer" in component.origins
+        if not is_own and not _may_change(component, change):
             wrong.append(f"{change.where}.{change.key}".rstrip("."))
     return wrong
 
@@ -163,6 +164,6 @@ def _may_change(component: Component, change: Change) -> bool:
                 or new_ext.get("insertion") == old_ext["insertion"]
             )
         case "":
-            return "layer" in component.origins
+            return False
         case _:
             return change.key in component.origins

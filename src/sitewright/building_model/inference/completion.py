@@ -16,6 +16,7 @@ from sitewright.building_model.inference.disassembly import Given, Step, build_o
 from sitewright.building_model.inference.fastening import Fastening, fasten, joints_of
 from sitewright.building_model.inference.gripping import grasps_of
 from sitewright.building_model.inference.interfaces import Interface, interfaces_of
+from sitewright.building_model.inference.known_stock import with_known_stock
 from sitewright.building_model.inference.order_facts import (
     Assembling,
     completed,
@@ -64,7 +65,8 @@ def complete(
     given = without_inferred(model)
     rules = rules_from(given.rules)
     if is_jointed_frame(given):
-        return infer_assembly(given)
+        inferred, problems = infer_assembly(given)
+        return with_known_stock(model, inferred), problems
     return _completed(given, around, rules)
 
 
