@@ -238,13 +238,13 @@ def _parents(draft: Draft, directory: Directory) -> tuple[tuple[ComponentId, ...
     stated = draft.attributes.get("parent")
     references = [r.strip() for r in stated.split(";")] if stated else list(draft.part.parents)
     parents, problems = [], []
-    for reference in dict.fromkeys(r for r in references if r):
+    for reference in (r for r in references if r):
         found = directory.find(reference, draft.named, "Construction parent")
         if isinstance(found, Problem):
             problems.append(found)
         else:
             parents.append(found)
-    return tuple(parents), problems
+    return tuple(dict.fromkeys(parents)), problems
 
 
 def _cuts(draft: Draft, pose: Pose, scaling: Scale) -> tuple[tuple[PlaneCut, ...], list[Problem]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from statistics import median
 
@@ -122,10 +122,12 @@ def _contradiction(where: str, stated: float | None, unit: str) -> list[Problem]
 
 
 def _shift(where: str, file: NeutralFile, metres: float) -> tuple[Vector, list[Problem]]:
-    firsts = [points[0] for p in file.parts for s in p.solids[:1] if (points := points_of(s))]
-    if not firsts:
+    middles = [
+        _middle(points) for p in file.parts for s in p.solids[:1] if (points := points_of(s))
+    ]
+    if not middles:
         return (0.0, 0.0, 0.0), []
-    x, y, z = (median(p[k] for p in firsts) * metres for k in range(3))
+    x, y, z = (median(p[k] for p in middles) * metres for k in range(3))
     is_far = norm((x, y, z)) >= _FAR_M
     shift = (float(round(x)), float(round(y)), float(round(z))) if is_far else (0.0, 0.0, 0.0)
     problems = []
@@ -134,6 +136,15 @@ def _shift(where: str, file: NeutralFile, metres: float) -> tuple[Vector, list[P
         fix = "It is shifted; the shift is in 'origin_shift_m' and is restored on export."
         problems.append(_problem("O1", where, message, fix, "W"))
     return shift, [*problems, *_strays(file, metres, shift)]
+
+
+def _middle(points: Sequence[Vector]) -> Vector:
+    xs, ys, zs = zip(*points, strict=True)
+    return (
+        (min(xs) + max(xs)) / 2.0,
+        (min(ys) + max(ys)) / 2.0,
+        (min(zs) + max(zs)) / 2.0,
+    )
 
 
 def _strays(file: NeutralFile, metres: float, shift: Vector) -> Iterator[Problem]:
