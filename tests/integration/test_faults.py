@@ -29,11 +29,13 @@ from sitewright.central_controller.events import (
     ApprovalGiven,
     ComponentPositioned,
     DeviationSeen,
+    LinkLost,
     ProposalMade,
     ProposalSuperseded,
     SkillIntent,
     SkillOutcome,
 )
+from sitewright.robot_team.drivers.mujoco.places import OUTPUT_NAME
 from sitewright.robot_team.skill import Skill
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
@@ -242,6 +244,23 @@ def test_a_disk_that_takes_no_more_holds_the_run_and_room_lets_it_go_on(tmp_path
         assert ended.document["error"] == "JournalFullError"
         assert "Free some space" in ended.message
         assert site.run().exit_code == OK
+        check_journal_against_physics(site, nails=0)
+
+
+def test_a_cell_that_cannot_write_its_log_loses_nothing(tmp_path: Path) -> None:
+    """It stops in the middle of a record; the next process, which can write, goes on."""
+    with real_site(tmp_path, studs=0, supports=1, real_time_factor=4.0) as site:
+        life = site.begin()
+        until(lambda: site.last_cell_record().get("skill") == Skill.RETRACT)
+        until(lambda: site.last_cell_record().get("skill") == Skill.REACH)
+        pid = site.cell_pid()
+        assert pid is not None
+        most = site.cell_log.stat().st_size + 1000
+        resource.prlimit(pid, resource.RLIMIT_FSIZE, (most, most))
+        ended = site.end_of(life)
+        assert ended.exit_code == OK, ended.message or ended.said
+        assert [e.reason for e in site.events() if isinstance(e, LinkLost)]
+        assert "was not recorded" in (site.cell_folder / OUTPUT_NAME).read_text()
         check_journal_against_physics(site, nails=0)
 
 

@@ -86,13 +86,23 @@ class CellLog:
         _sync_folder(path.parent)
 
     def append(self, kind: str, facts: Mapping[str, Json]) -> None:
-        """Write a record; it is on disk when this returns."""
+        """Write a record; it is on disk when this returns.
+
+        Raises:
+            BackendError: The disk did not take it; the log is as it was before.
+        """
         record: Record = {"kind": kind, **facts}
         data = canonical_json(record).encode() + b"\n"
+        whole_bytes = os.fstat(self._file).st_size
         view = memoryview(data)
-        while view:
-            view = view[os.write(self._file, view) :]
-        os.fsync(self._file)
+        try:
+            while view:
+                view = view[os.write(self._file, view) :]
+            os.fsync(self._file)
+        except OSError as error:
+            os.ftruncate(self._file, whole_bytes)  # no later record may follow half of this one
+            os.lseek(self._file, 0, os.SEEK_END)
+            raise BackendError(f"{self.path}: {kind} was not recorded: {error.strerror}") from error
         self.ledger.add(record)
 
     def close(self) -> None:

@@ -133,16 +133,23 @@ class CellService:
         registry.check(self._sim, command, registry.EXECUTORS)
         self._sim.hold.clear()
         self._running = command.command_id
+        try:
+            self._do(command)
+        except Exception as error:
+            self.is_broken = True  # the physics may be ahead of the log; the next process is not
+            traceback.print_exc()
+            what = f"{type(error).__name__}: {error}"
+            raise OutcomeUnknownError(f"the simulation broke off: {what}") from error
+        finally:
+            self._running = None
+        return self._log.ledger.ended[command.command_id]
+
+    def _do(self, command: SkillCommand) -> None:
+        """Run a command, with a record before and after."""
         accepted = {"command_id": command.command_id, "skill": command.skill}
         self._append("accepted", {**accepted, "epoch": command.epoch, "robot": command.robot})
-        try:
-            report, contacts = registry.execute(self._sim, command)
-            nudge_when_due(self._sim, len(self._log.ledger.ended) + 1)
-        except Exception as error:
-            self.is_broken = True
-            self._running = None
-            traceback.print_exc()
-            raise OutcomeUnknownError(f"the simulation broke off: {error!r}") from error
+        report, contacts = registry.execute(self._sim, command)
+        nudge_when_due(self._sim, len(self._log.ledger.ended) + 1)
         self._append(
             "ended",
             {
@@ -151,5 +158,3 @@ class CellService:
                 "contacts": contacts,
             },
         )
-        self._running = None
-        return self._log.ledger.ended[command.command_id]
