@@ -8,7 +8,7 @@ from itertools import combinations
 
 import pytest
 
-from builders_frame import beam, upright
+from builders_frame import beam, portal, upright
 from sitewright.building_model.check_fasteners import MIN_PENETRATION_M, penetration_m
 from sitewright.building_model.component import Component, FastenerSpec, Operation, Origin, Process
 from sitewright.building_model.inference.completion import complete
@@ -211,3 +211,14 @@ def test_a_wrong_rule_is_named_with_what_is_wrong(rule: Mapping[str, Json], word
     assert len(problems) == 2
     assert {p.code for p in problems} == {"K1"}
     assert words in problems[0].message
+
+
+def test_a_frame_whose_file_lists_its_joints_gets_fasteners_too() -> None:
+    rule = {**STUD_ENDS, "through": "*", "into": "*", "fastener": {**NAIL, "l_m": 0.16}}
+    model, _ = complete(replace(portal(), rules=(rule,)))
+    again, _ = complete(model)
+    rail = model.component_by_id[ComponentId("rail")]
+    assert again == model
+    assert all(o.origin is Origin.RULE for o in rail.operations)
+    assert rail.operations
+    assert rail.hold_until_fasteners == 2

@@ -88,7 +88,7 @@ def _way_in(arrival: Arrival) -> dict[str, Json]:
 def _why_now(arrival: Arrival) -> str:
     if arrival.way is None:
         return f"{arrival.number}. in reverse of taking apart; its neighbours lock it"
-    x, y, z = arrival.way.direction
+    x, y, z = (round(v, 2) + 0.0 for v in arrival.way.direction)
     sliding = f", sliding {arrival.way.slide_m:.3f} m" if arrival.way.slide_m > 0.0 else ""
     return (
         f"{arrival.number}. in reverse of taking apart: it carries nothing later and "

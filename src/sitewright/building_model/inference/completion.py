@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+import numpy as np
+
 from sitewright.building_model.component import BoxGeometry, Component, Layer, Origin, Process
 from sitewright.building_model.findings import refused, warned
 from sitewright.building_model.inference.assembly import infer_assembly
-from sitewright.building_model.inference.bare import is_given, without_inferred
-from sitewright.building_model.inference.bodies import Body, bodies_of
+from sitewright.building_model.inference.bare import without_inferred
+from sitewright.building_model.inference.bodies import bodies_of
 from sitewright.building_model.inference.carrying import Bearing, bearing_of
 from sitewright.building_model.inference.contradictions import contradictions
 from sitewright.building_model.inference.disassembly import Given, Step, build_order
@@ -36,6 +38,7 @@ GRIPS_M = ((0.03, 0.20),)
 """Grip range if no gripper is known."""
 _HELD_BY = 2
 """So many fasteners, if there are as many, hold a component before the robot lets go."""
+_COVERED = "its fasteners go in where the other one will cover them"
 _FASTENING = frozenset({Process.NAIL, Process.SCREW})
 
 
@@ -66,7 +69,7 @@ def complete(
     rules = rules_from(given.rules)
     if is_jointed_frame(given):
         inferred, problems = infer_assembly(given)
-        return with_known_stock(model, inferred), problems
+        return _nailed(with_known_stock(model, inferred), rules, problems)
     return _completed(given, around, rules)
 
 
@@ -125,6 +128,39 @@ def _completed(
     ), problems
 
 
+def _nailed(
+    frame: BuildingModel, rules: Rules, problems: list[Problem]
+) -> tuple[BuildingModel, list[Problem]]:
+    """Add fasteners by rules to a frame whose order is known."""
+    bodies, _ = bodies_of(frame)
+    components = {i: frame.component_by_id[i] for i in bodies}
+    joints = joints_of(components, interfaces_of(bodies), rules) if rules.fasten else []
+    if not joints:
+        return frame, problems
+    place = {i: c.order if c.order is not None else -1 for i, c in components.items()}
+    up = np.array(frame.gravity) / -np.linalg.norm(frame.gravity)
+    fastening = fasten(components, bodies, joints, place, (up, frame.ground_z_m))
+    held = {r.b for r in frame.relations if r.kind is RelationKind.HOLD}
+    made = {i: _fastened(components[i], fastening) for i in fastening.operations}
+    made = {i: _hanging(c) if i in held else c for i, c in made.items()}
+    why = {"why": _COVERED}
+    known = {(r.a, r.b) for r in frame.relations if r.kind is RelationKind.BEFORE}
+    relations = [
+        Relation(kind=RelationKind.BEFORE, a=a, b=b, origin=Origin.INFERRED, data=why)
+        for a, b in sorted(set(fastening.before) - known)
+        if a not in components[b].construction_parents
+    ]
+    return replace(
+        frame,
+        component_by_id={**frame.component_by_id, **made},
+        relations=(*frame.relations, *relations),
+    ), [*problems, *fastening.problems]
+
+
+def _hanging(component: Component) -> Component:
+    return _held_for(component, "nothing carries it from below")
+
+
 def stated_order(model: BuildingModel, components: Mapping[ComponentId, Component]) -> Given:
     """Return what the author states about the order."""
     before: dict[ComponentId, set[ComponentId]] = {i: set() for i in components}
@@ -152,15 +188,17 @@ def _fastened(component: Component, fastening: Fastening) -> Component:
 
 def _held(component: Component, bearing: Bearing, sequence: Assembling) -> Component:
     """State how many fasteners hold it before the robot lets go, if it would not stand."""
-    fasteners = [o for o in component.operations if o.process in _FASTENING]
-    if component.hold_until_fasteners or not fasteners:
-        return component
+    if component.id in sequence.hanging:
+        return _hanging(component)
     place = sequence.place
     there = [i for i in bearing.bodies if place[i] < place[component.id]]
-    why = "nothing carries it from below"
-    if component.id not in sequence.hanging:
-        why = bearing.topples(component.id, there)
-    if not why or component.temporary_support:
+    why = bearing.topples(component.id, there)
+    return _held_for(component, why) if why and not component.temporary_support else component
+
+
+def _held_for(component: Component, why: str) -> Component:
+    fasteners = [o for o in component.operations if o.process in _FASTENING]
+    if component.hold_until_fasteners or not fasteners:
         return component
     return replace(
         component,
@@ -197,7 +235,7 @@ def _before(model: BuildingModel, fastening: Fastening, sequence: Assembling) ->
         for a, b in fastening.before
         if a not in sequence.parents.get(b, ()) and (a, b) not in known
     }
-    why = {"why": "its fasteners go in where the other one will cover them"}
+    why = {"why": _COVERED}
     return [
         Relation(kind=RelationKind.BEFORE, a=a, b=b, origin=Origin.INFERRED, data=why)
         for a, b in sorted(pairs)
@@ -228,6 +266,3 @@ def _open_points(
                 warned("F3", component, message, "Give 'order' so that it comes earlier.")
             )
     return problems
-
-
-__all__ = ["Body", "Surroundings", "complete", "is_given", "is_jointed_frame", "stated_order"]
