@@ -52,7 +52,7 @@ def table_sizes(content: bytes) -> dict[str, int]:
         position += 4
         length = int.from_bytes(content[position : position + wide], "little", signed=True)
         position += wide
-        if code == _END_OF_FILE:
+        if code == _END_OF_FILE and position + length <= len(content):
             return sizes
         if code & _NO_BODY:
             continue
