@@ -108,11 +108,20 @@ class IfcDraft:
             kind, Name=name, ObjectPlacement=placement, Representation=shape, **values
         )
 
-    def member(self, name: str, start: Point, along: Point, length: float, **values: Any) -> Any:
-        """Add a 45 x 95 member; its profile's x is across the axis, as level as it can be."""
+    def member(
+        self,
+        name: str,
+        start: Point,
+        along: Point,
+        length: float,
+        *,
+        sides: Point = STUD_MM,
+        **values: Any,
+    ) -> Any:
+        """Add a member; the first of its sides is upright, or along x if it stands."""
         x = (1, 0, 0) if along[2] else (0, 0, 1)
         placement = self.placed(start, along, x)
-        shape = self.shape(self.extruded(self.rectangle(), length))
+        shape = self.shape(self.extruded(self.rectangle(sides), length))
         return self.element("IfcMember", name, placement, shape, **values)
 
     def whole(self, kind: str, name: str, parts: Sequence[Any], **values: Any) -> Any:
@@ -182,7 +191,8 @@ def wall_panel(schema: str = "IFC4", *, at: Point = (0, 0, 0), stud_mm: float = 
     """
     draft = IfcDraft(schema)
     plate, stud = (
-        {} if schema == "IFC2X3" else {"PredefinedType": kind} for kind in ("PLATE", "STUD")
+        dict[str, Any]() if schema == "IFC2X3" else {"PredefinedType": kind}
+        for kind in ("PLATE", "STUD")
     )
     x, y, z = at
     bottom = draft.member("bottom", (x, y, z + 22.5), (1, 0, 0), 1290.0, **plate)
@@ -196,3 +206,46 @@ def wall_panel(schema: str = "IFC4", *, at: Point = (0, 0, 0), stud_mm: float = 
     tasks = [draft.task("plate", [bottom]), draft.task("studs", studs), draft.task("cap", [top])]
     draft.sequence(*tasks)
     return draft
+
+
+def lying_frame() -> IfcDraft:
+    """Return two supports with three studs across, flat on a table, and the stock for them.
+
+    The pieces of stock are on layer Material and say on which pile they lie, as a user writes
+    it into property sets; the tasks put the supports before the studs.
+    """
+    draft = IfcDraft()
+    thick: dict[str, Any] = {
+        "sides": (140, 90),
+        "PredefinedType": "USERDEFINED",
+        "ObjectType": "Supporting Stud",
+    }
+    thin: dict[str, Any] = {"sides": (40, 90), "PredefinedType": "STUD"}
+    supports = [
+        draft.member(f"support {n}", (x, -1200, 70), (0, 1, 0), 2400, **thick)
+        for n, x in enumerate((-600, 600), 1)
+    ]
+    studs = [
+        draft.member(f"stud {n}", (-900, y, 160), (1, 0, 0), 1800, **thin)
+        for n, y in enumerate((-800, 0, 800), 1)
+    ]
+    draft.sequence(draft.task("supports", supports), draft.task("studs", studs))
+    stock = [
+        *_pile(draft, "pallet-thick", (-2800, 1550, 0), 2400, 2, thick),
+        *_pile(draft, "pallet-thin", (-2500, -1550, 0), 1800, 3, thin),
+    ]
+    draft.whole("IfcElementAssembly", "frame", [*supports, *studs])
+    draft.material("C24", [*supports, *studs, *stock])
+    return draft
+
+
+def _pile(
+    draft: IfcDraft, name: str, at: Point, length: float, count: int, kind: Mapping[str, Any]
+) -> list[Any]:
+    height, pieces = kind["sides"][0], []
+    for n in range(count):
+        start = (at[0], at[1], at[2] + height * (n + 0.5))
+        piece = draft.member(f"{name} {n}", start, (1, 0, 0), length, **kind)
+        draft.properties(piece, "Sitewright", {"Layer": "Material", "Stack": name, "StackIndex": n})
+        pieces.append(piece)
+    return pieces

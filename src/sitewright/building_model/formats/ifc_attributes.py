@@ -58,8 +58,8 @@ def presentation_layer(element: Any) -> str:  # noqa: ANN401
 def properties_of(element: Any) -> tuple[dict[str, str], dict[str, Any]]:  # noqa: ANN401
     """Return single values as text by ``Set.Property``, and the other ones by the same key.
 
-    Properties of the set ``Sitewright`` are found under ``sitewright.key``, the importer's own
-    keys; so is the layer of a component that an earlier run has built.
+    Properties of the set ``Sitewright`` are only found under ``sitewright.key``, the importer's
+    own keys; so is the layer of a component that an earlier run has built.
     """
     from ifcopenshell.util.element import get_psets
 
@@ -68,7 +68,7 @@ def properties_of(element: Any) -> tuple[dict[str, str], dict[str, Any]]:  # noq
     rest: dict[str, Any] = {}
     for name, values in sorted(sets.items()):
         for key, value in values.items():
-            if key == "id" or value is None:
+            if key == "id" or value is None or name.lower() == OWN_SET.lower():
                 continue
             if isinstance(value, str | int | float | bool):
                 text[f"{name}.{key}"] = _as_text(value)
