@@ -77,6 +77,8 @@ def model_of(
     _raise_errors(path, problems)
     scaling, said = scale_of(path.name, neutral, unit)
     problems += [*said, *_notes(neutral, path)]
+    if any(p.code == "O1" and p.severity == "E" for p in problems):  # too large to calculate with
+        raise ModelRejectedError(str(path), problems)
     choices = Choices(words=mapping or ImportMap(), repairs_hull=repair == "hull", is_split=split)
     drafts, said = drafts_of(neutral.parts, scaling, choices)
     if any(p.code == "U1" for p in problems):  # sizes in an unknown unit say nothing

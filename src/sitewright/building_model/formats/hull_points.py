@@ -1,4 +1,7 @@
-"""The corners of a convex hull, few enough to work with."""
+"""The corners of a convex hull, few enough to work with.
+
+No hull library is asked: the ones at hand end the whole process on hostile points.
+"""
 
 from __future__ import annotations
 
@@ -9,52 +12,55 @@ import numpy.typing as npt
 
 from sitewright.foundation.pose import Vector
 
+Array = npt.NDArray[np.float64]
+
 MAX_POINTS = 48
 """More corners than that are thinned out: every check of a shape looks at all of them."""
-_FLAT_M = 1e-6
-_CORNERS = 4
+_DIRECTIONS = 400
+_MOST_LOOKS = 1000
+_EXACT_M = 1e-6
+_GOLDEN_ANGLE = np.pi * (3.0 - np.sqrt(5.0))
 
 
 def hull_of(points_m: Sequence[Vector]) -> tuple[tuple[Vector, ...], float]:
-    """Return the corners of the hull and how far the thinned hull falls short (0: exact).
+    """Return points with the same convex hull and how far they fall short of it (0: nowhere).
 
-    Points in one plane are returned as they are; the model check refuses them by name.
+    Few points are all kept. Of many, those that reach furthest in some hundred directions are,
+    and if these are too many, the ones farthest from each other.
     """
     cloud = np.unique(np.array(points_m, dtype=np.float64), axis=0)
-    if len(cloud) < _CORNERS or _thickness_m(cloud) < _FLAT_M:
-        return _vectors(cloud[:MAX_POINTS]), 0.0
-    corners = _corners(cloud)
-    if len(corners) <= MAX_POINTS:
-        return _vectors(corners), 0.0
-    return _thinned(corners)
+    if len(cloud) <= MAX_POINTS:
+        return _vectors(cloud), 0.0
+    looks = _directions(cloud)
+    reach = cloud @ looks.T
+    chosen = cloud[np.unique(reach.argmax(axis=0))]
+    if len(chosen) > MAX_POINTS:
+        chosen = _apart(chosen)
+    miss = float((reach.max(axis=0) - (chosen @ looks.T).max(axis=0)).max())
+    return _vectors(chosen), miss if miss > _EXACT_M else 0.0
 
 
-def _thinned(corners: npt.NDArray[np.float64]) -> tuple[tuple[Vector, ...], float]:
+def _apart(corners: Array) -> Array:
     """Take corners far from each other until there are enough; deterministic."""
-    chosen = [int(np.lexsort(corners.T)[0])]
-    far = np.linalg.norm(corners - corners[chosen[0]], axis=1)
+    chosen = [0]
+    far = np.linalg.norm(corners - corners[0], axis=1)
     while len(chosen) < MAX_POINTS:
         chosen.append(int(far.argmax()))
         far = np.minimum(far, np.linalg.norm(corners - corners[chosen[-1]], axis=1))
-    return _vectors(_corners(corners[sorted(chosen)])), float(far.max())
+    return np.asarray(corners[sorted(chosen)])
 
 
-def _corners(cloud: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-    import coal
-
-    middle = cloud.mean(axis=0)
-    rows = coal.StdVec_Vec3s()
-    rows.extend(list(cloud - middle))
-    hull = coal.ConvexBase.convexHull(rows, True, "Qt")  # noqa: FBT003
-    found = np.array(hull.points(), dtype=np.float64) + middle
-    return np.asarray(found[np.lexsort(found.T[::-1])])
-
-
-def _thickness_m(cloud: npt.NDArray[np.float64]) -> float:
-    centred = cloud - cloud.mean(axis=0)
-    axes = np.linalg.svd(centred, full_matrices=False)[2]
-    return float(np.ptp(centred @ axes.T, axis=0).min())
+def _directions(cloud: Array) -> Array:
+    """Return directions all around, and those from the middle to the points."""
+    index = np.arange(_DIRECTIONS) + 0.5
+    z = 1.0 - 2.0 * index / _DIRECTIONS
+    flat, turn = np.sqrt(1.0 - z * z), _GOLDEN_ANGLE * index
+    around = np.column_stack((flat * np.cos(turn), flat * np.sin(turn), z))
+    outwards = cloud[:: max(1, len(cloud) // _MOST_LOOKS)] - cloud.mean(axis=0)
+    length = np.linalg.norm(outwards, axis=1)
+    real = length > 0.0
+    return np.vstack((around, outwards[real] / length[real, None]))
 
 
-def _vectors(rows: npt.NDArray[np.float64]) -> tuple[Vector, ...]:
+def _vectors(rows: Array) -> tuple[Vector, ...]:
     return tuple((float(x), float(y), float(z)) for x, y, z in rows)

@@ -53,7 +53,7 @@ def scale_of(where: str, file: NeutralFile, unit: str | None) -> tuple[Scale, li
     else:
         problems = [p for p in unit_problems(where, unit, lengths) if p.severity == "E"]
         if problems or unit is None:
-            return Scale(), problems
+            return Scale(metres=1.0 / _largest(file)), problems
         metres = METRES_PER_UNIT[unit]
         problems = _contradiction(where, file.metres_per_unit, unit)
     problems += unusual_lengths(where, metres, lengths)
@@ -89,6 +89,12 @@ def points_of(solid: NeutralSolid) -> list[Vector]:
             return [pose.apply((x, y, z)) for z in (0.0, depth) for x, y in profile]
         case FacesSolid(vertices=vertices):
             return list(vertices)
+
+
+def _largest(file: NeutralFile) -> float:
+    """Return the largest coordinate, at least 1: by it any model becomes one of some metres."""
+    points = (p for part in file.parts for solid in part.solids for p in points_of(solid))
+    return max(1.0, max((abs(c) for p in points for c in p), default=1.0))
 
 
 def _length(part: NeutralPart) -> float:

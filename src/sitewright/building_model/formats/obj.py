@@ -63,17 +63,23 @@ class _Scan:
         lines = text.replace("\\\r\n", "  ").replace("\\\n", " ").splitlines()
         by = "o" if any(line.lstrip().startswith("o ") for line in lines) else "g"
         vertices: list[Vector] = []
-        groups = [_Group(_UNNAMED)]
+        current = _Group(_UNNAMED)
+        groups = [current]
+        known = {_UNNAMED: current}
         for self._number, line in enumerate(lines, 1):
             word, _, rest = line.split("#", 1)[0].strip().partition(" ")
             if word == "v":
                 vertices.append(self._vertex(rest))
             elif word == "f":
-                groups[-1].faces.append(self._face(rest, len(vertices)))
+                current.faces.append(self._face(rest, len(vertices)))
             elif word == by:
-                groups.append(_Group(rest.strip() or _UNNAMED))
+                name = rest.strip() or _UNNAMED
+                if by == "o" or name not in known:  # a group goes on where its name comes again
+                    known[name] = _Group(name)
+                    groups.append(known[name])
+                current = known[name]
             elif word == "usemtl":
-                groups[-1].material = groups[-1].material or rest.strip()
+                current.material = current.material or rest.strip()
         return vertices, groups
 
     def _vertex(self, text: str) -> Vector:
