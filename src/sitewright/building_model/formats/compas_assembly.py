@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any
@@ -100,25 +101,27 @@ def read_compas_assembly(path: Path) -> NeutralFile:
         ModelRejectedError: It cannot be read, or lacks what makes an assembly.
     """
     graph = validated(_Assembly, read_json(path), path).data.graph.data
+    names = Counter(node.name or node.block.name for node in graph.node.values())
     return NeutralFile(
         kind=str(FileKind.COMPAS_ASSEMBLY),
         metres_per_unit=None,
-        parts=tuple(_part(path, key, node) for key, node in graph.node.items()),
+        parts=tuple(_part(path, key, node, names) for key, node in graph.node.items()),
         relations=tuple(_contacts(graph)),
     )
 
 
-def _part(path: Path, key: str, node: _Node) -> NeutralPart:
+def _part(path: Path, key: str, node: _Node, names: Mapping[str, int]) -> NeutralPart:
     mesh = node.block.data
     index = {name: place for place, name in enumerate(mesh.vertex)}
     strange = {c for face in mesh.face.values() for c in face} - set(index)
     if strange:
         message = f"Block {key[:60]}: a face names vertex {min(strange)[:60]!r}, which is missing."
         raise refused(path, "E5", message, "Save the assembly again.")
+    name = node.name or node.block.name  # the library names all alike, after their class
     return NeutralPart(
         source_id=key,
         kind="part",
-        name=node.name or _own_name(node.block, key),
+        name=name if name and names[name] == 1 else f"block {key}",
         type="block",
         is_ground=node.is_support,
         solids=(
@@ -129,10 +132,6 @@ def _part(path: Path, key: str, node: _Node) -> NeutralPart:
         ),
         raw=_raw(mesh.attributes),
     )
-
-
-def _own_name(block: _Block, key: str) -> str:
-    return block.name if block.name not in {"", "Mesh", "Block"} else f"block {key}"
 
 
 def _raw(attributes: Mapping[str, Any]) -> dict[str, Json]:

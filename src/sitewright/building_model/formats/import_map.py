@@ -97,11 +97,9 @@ def _table(document: Mapping[str, Json], name: str) -> Mapping[str, Json]:
 
 
 def _words(value: Json) -> tuple[str, ...]:
-    if isinstance(value, str):
-        return (value,)
-    if isinstance(value, list) and all(isinstance(v, str) for v in value):
-        return tuple(str(v) for v in value)
-    return ()
+    values = value if isinstance(value, list) else [value]
+    words = tuple(v for v in values if isinstance(v, str) and v)
+    return words if len(words) == len(values) else ()
 
 
 def _key_problems(path: Path, keys: Mapping[str, Json]) -> Iterator[Problem]:
