@@ -367,6 +367,18 @@ def test_circles_are_named_and_crash_nothing(
     assert "goes in a circle" in caught.value.answer["message"]
 
 
+def test_an_attribute_of_a_wrong_kind_names_its_element(panel_path: Path, tmp_path: Path) -> None:
+    lines = panel_path.read_bytes().splitlines()
+    at = next(n for n, line in enumerate(lines) if b"IFCEXTRUDEDAREASOLID(" in line)
+    profile, _, rest = lines[at].partition(b",")
+    lines[at] = profile + b",7.5" + rest[rest.index(b",") :]
+    bad = tmp_path / "bad.ifc"
+    bad.write_bytes(b"\n".join(lines))
+    said = refusal(bad)
+    assert "E2" in said
+    assert "IfcMember" in said
+
+
 def test_whatever_ends_the_child_is_one_refusal(panel_path: Path) -> None:
     starved = Limits(memory_bytes=150 * 1024**2)
     assert "E2" in refusal(panel_path, starved)

@@ -22,6 +22,8 @@ _NOT_BUILT = (
 )
 _MAX_PARTS = 50_000
 _SHOWN = 300
+_WRONG_KIND = (AttributeError, TypeError, ValueError, IndexError, ArithmeticError)
+"""What an attribute of a wrong kind looks like: the parser does not check kinds."""
 
 
 class UnreadableError(Exception):
@@ -39,6 +41,8 @@ def main(limits: str, path: str) -> None:
     os.dup2(2, 1)  # what libraries print is no part of the answer
     try:
         answer: dict[str, Any] = read(path)
+    except _WRONG_KIND as error:
+        answer = {"refused": _wrong_kind("an entity", error).answer}
     except UnreadableError as error:
         answer = {"refused": error.answer}
     with answer_to:
@@ -65,6 +69,11 @@ def read(path: str) -> dict[str, Any]:
         "survey": survey,
         "notes": [*notes, *left_out, *order_notes, *_survey_note(survey)],
     }
+
+
+def _wrong_kind(what: str, error: Exception) -> UnreadableError:
+    message = f"{what} is not as its schema demands ({type(error).__name__}: {error})."
+    return UnreadableError("E2", message[:_SHOWN], "Repair the model and export it again.")
 
 
 def open_file(path: str) -> tuple[Any, list[str]]:
@@ -172,6 +181,8 @@ def _parts(
             solids[element.GlobalId] = read_solids(element, pose, is_linear=is_linear)
         except NotAnalyticError:
             for_kernel.append(element)
+        except _WRONG_KIND as error:
+            raise _wrong_kind(f"{element.is_a()} {element.GlobalId}", error) from None
     solids.update(tessellate(file, for_kernel, metres or 1.0))
     groups = _group_names(elements)
     return [_part(e, solids.get(e.GlobalId, []), order, groups) for e in elements]
