@@ -14,6 +14,7 @@ from sitewright.planning_twin.jobsite import world_T_dock
 from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.planning_twin.refusal import NoGrasp, NoIk, Refusal
 from sitewright.planning_twin.setting_down import pose_on
+from sitewright.planning_twin.skill_motions.dock import above_dock
 from sitewright.planning_twin.skill_motions.finish import covers_patch, first_touches
 from sitewright.planning_twin.skill_motions.moving import move_to, move_to_any, reach_any
 from sitewright.planning_twin.skill_motions.stage import (
@@ -23,7 +24,6 @@ from sitewright.planning_twin.skill_motions.stage import (
     with_joints,
     with_opening,
 )
-from sitewright.planning_twin.skill_motions.tool_change import above_dock
 from sitewright.planning_twin.touches import pick_touch, place_touch, set_down_touch, spot_touch
 from sitewright.robot_team.cell import StationKind
 from sitewright.robot_team.description import Joints

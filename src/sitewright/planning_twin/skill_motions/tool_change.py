@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import BodyId, EndEffectorId, RobotId
-from sitewright.foundation.pose import Pose, scale
+from sitewright.foundation.ids import EndEffectorId, RobotId
+from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.approach import (
-    CONTACT_M,
     PRE_M,
     Approach,
     Touch,
@@ -17,13 +16,18 @@ from sitewright.planning_twin.approach import (
 from sitewright.planning_twin.jobsite import (
     Jobsite,
     bodies_of_tool,
-    lifted,
     scene_of,
     world_T_dock,
 )
-from sitewright.planning_twin.motion import PathSegment, PlannedMotion
+from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.planning_twin.refusal import NoIk, Refusal
-from sitewright.planning_twin.scene import Attachment, Pair, link_name
+from sitewright.planning_twin.scene import Attachment
+from sitewright.planning_twin.skill_motions.dock import (
+    above_dock,
+    dock_touch,
+    tool_in_dock,
+    way_up,
+)
 from sitewright.planning_twin.skill_motions.moving import finished_motion, move_to, move_to_any
 from sitewright.planning_twin.skill_motions.stage import (
     PlannedSkill,
@@ -31,19 +35,11 @@ from sitewright.planning_twin.skill_motions.stage import (
     Stage,
     with_joints,
 )
-from sitewright.planning_twin.task import declared
 from sitewright.robot_team.cell import EndEffector
 from sitewright.robot_team.skill import SkillCall
 
 _ABOVE_M = 2 * PRE_M
 _SAME_PLACE_M = 0.001
-_MATING_M = -0.003
-"""Changer plates mate; an arm's envelope may stand a little over its flange face."""
-
-
-def above_dock(dock: Pose) -> Pose:
-    """Return the tip pose from which a dock is entered, straight along the mount's z."""
-    return lifted(dock, scale(dock.z_axis, -1.0), _ABOVE_M)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,7 +93,7 @@ def _dock(progress: _Progress, robot: RobotId, old: EndEffector) -> _Progress | 
 def _take(progress: _Progress, robot: RobotId, new: EndEffector) -> _Progress | Refusal:
     """Go up from a dock, over to the new tool and straight down onto it."""
     stage = progress.stage
-    up = _way_up(stage, robot, _tool_at(stage, robot))
+    up = way_up(stage, robot, tool_in_dock(stage, robot))
     if isinstance(up, NoIk):
         return up
     outside = stage.at(with_joints(stage.site, robot, up[-1].waypoints_rad[-1])) if up else stage
@@ -122,7 +118,7 @@ def _take(progress: _Progress, robot: RobotId, new: EndEffector) -> _Progress | 
 def _leave(progress: _Progress, robot: RobotId, tool: EndEffector | None) -> _Progress | Refusal:
     """Go straight up out of the dock."""
     stage = progress.stage
-    up = _way_up(stage, robot, tool)
+    up = way_up(stage, robot, tool)
     if isinstance(up, NoIk):
         return up
     motion = finished_motion(stage, robot, scene_of(stage.site), up)
@@ -138,18 +134,10 @@ def _mounted(site: Jobsite, robot: RobotId, new: EndEffector) -> Jobsite:
     return replace(site, arms={**site.arms, robot: arm}, docked=docked)
 
 
-def _tool_at(stage: Stage, robot: RobotId) -> EndEffector | None:
-    """Return the docked tool that a bare flange stands on."""
-    tip = stage.tip(robot)
-    tools = (stage.context.cell.end_effector_by_id[i] for i in stage.site.docked)
-    near = [t for t in tools if world_T_dock(stage.context.cell, t).distance_to_m(tip) < PRE_M / 2]
-    return near[0] if near else None
-
-
 def _lines(stage: Stage, robot: RobotId, tool: EndEffector) -> Approach | NoIk:
     """Return the straight way down to a dock from above it, on the robot's present branch."""
     dock = world_T_dock(stage.context.cell, tool)
-    touch = _touch(stage, robot, tool, dock)
+    touch = dock_touch(stage, robot, tool, dock)
     start = stage.tip(robot)
     reaching = stage.reaching(robot)
     down = reaching.line(above_dock(dock), dock, stage.q_rad(robot))
@@ -166,40 +154,6 @@ def _first_line(stage: Stage, robot: RobotId, touch: Touch, postures: tuple) -> 
     lines = (straight_approach(reaching, touch, q) for q in postures)
     found = next((a for a in lines if isinstance(a, Approach)), None)
     return found or NoIk(is_proven=False, reason="no straight way into the dock")
-
-
-def _touch(stage: Stage, robot: RobotId, tool: EndEffector, dock: Pose) -> Touch:
-    near = _dock_contacts(stage, robot, tool)
-    return Touch(
-        world_T_tip=dock,
-        back_off=scale(dock.z_axis, -1.0),
-        near_m=near,
-        free_m=near,
-        distance_m=_ABOVE_M,
-    )
-
-
-def _dock_contacts(stage: Stage, robot: RobotId, tool: EndEffector) -> dict[Pair, float]:
-    """Return what may touch in a dock: flange and tool, tool and rack."""
-    links = stage.robot(robot).description.links
-    flange = next(link.name for link in reversed(links) if link.shape)
-    fixtures = tuple(BodyId(f) for f in stage.context.cell.fixture_by_id)
-    bodies = bodies_of_tool(tool)
-    return {
-        **declared(CONTACT_M, bodies, fixtures),
-        **declared(_MATING_M, bodies, (BodyId(link_name(robot, flange)),)),
-    }
-
-
-def _way_up(
-    stage: Stage, robot: RobotId, tool: EndEffector | None
-) -> tuple[PathSegment, ...] | NoIk:
-    if tool is None:
-        return ()
-    tip = stage.tip(robot)
-    touch = _touch(stage, robot, tool, tip)
-    way = straight_approach(stage.reaching(robot), touch, stage.q_rad(robot))
-    return way.outwards() if isinstance(way, Approach) else way
 
 
 def _to_start_and(stage: Stage, robot: RobotId, down: Approach) -> PlannedMotion | Refusal:

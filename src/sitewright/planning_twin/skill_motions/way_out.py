@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sitewright.foundation.ids import RobotId
-from sitewright.foundation.pose import scale
+from sitewright.foundation.pose import Pose, scale
 from sitewright.planning_twin.approach import (
     CONTACT_M,
     NEIGHBOUR_M,
@@ -15,6 +15,7 @@ from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import PathSegment
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.planning_twin.scene import Pair
+from sitewright.planning_twin.skill_motions.dock import tool_in_dock, way_up
 from sitewright.planning_twin.skill_motions.stage import (
     Stage,
     may_touch,
@@ -26,7 +27,10 @@ from sitewright.robot_team.gripper import mount_T_tcp
 
 
 def way_out(stage: Stage, robot: RobotId) -> tuple[PathSegment, ...] | NoIk:
-    """Return straight lines out of contact: up with a piece in hand, else back along the tool."""
+    """Return straight lines out of contact: out of a dock, up with a piece, or along the tool."""
+    docked = tool_in_dock(stage, robot)
+    if docked is not None:
+        return way_up(stage, robot, docked)
     touch = _touch_now(stage, robot)
     way = straight_approach(stage.reaching(robot), touch, stage.q_rad(robot))
     return way.outwards() if isinstance(way, Approach) else way
@@ -40,14 +44,15 @@ def stands_in_contact(stage: Stage, robot: RobotId) -> bool:
 
 
 def _touch_now(stage: Stage, robot: RobotId) -> Touch:
-    task, tool, arm = stage.context.task, stage.tool(robot), stage.site.arms[robot]
-    world_T_tip = stage.tip(robot)
+    task, arm = stage.context.task, stage.site.arms[robot]
+    world_T_tip, tool = stage.tip(robot), stage.context.tool_of(robot)
     resting, near = resting_contacts(stage, robot), _contacts_now(stage, robot)
     if arm.held is not None:
+        tool = stage.tool(robot)
         near, direction = {**near, **lift_thresholds(task, tool, arm.held)}, UP
     else:
-        world_T_tcp = world_T_tip @ mount_T_tcp(tool.description)
-        direction = scale(world_T_tcp.z_axis, -1.0)
+        tip_T_tcp = Pose() if tool is None else mount_T_tcp(tool.description)
+        direction = scale((world_T_tip @ tip_T_tcp).z_axis, -1.0)
     return Touch(
         world_T_tip=world_T_tip,
         back_off=direction,
