@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,10 @@ from sitewright.app.inferring import BACKUP, infer_project
 from sitewright.app.locks import locked
 from sitewright.app.project import new_project
 from sitewright.app.run_folder import next_run_folder
+from sitewright.building_model.formats.compas_timber import import_compas_timber
 from sitewright.building_model.formats.native import read_building
+from sitewright.building_model.inference.bodies import bodies_of
+from sitewright.building_model.inference.interfaces import interfaces_of
 from sitewright.central_controller.events import RunStarted
 from sitewright.cli.main import exit_code
 from sitewright.foundation.ids import ComponentId, RunId
@@ -188,3 +192,16 @@ def test_an_imported_frame_house_has_nothing_left_to_infer(
     file, house = shared_data / "timber" / "frame_house.json", tmp_path / "house"
     assert run("import", file, "--unit", "mm", "-o", house) == 0
     assert infer_project(tmp_path / "house").changes == ()
+
+
+def test_contacts_of_the_frame_house_are_54_of_its_63_joints_and_none_on_blanks(
+    shared_data: Path,
+) -> None:
+    pytest.importorskip("compas_timber", reason="needs the extra [timber]")
+    model, _ = import_compas_timber(shared_data / "timber" / "frame_house.json", "mm")
+    joined = {frozenset((r.a, r.b)) for r in model.relations}
+    blanks = {i: replace(c, cuts=()) for i, c in model.component_by_id.items()}
+    found = [frozenset((i.a, i.b)) for i in interfaces_of(bodies_of(model)[0])]
+    assert (len(joined), len(found)) == (63, 54)
+    assert set(found) <= joined
+    assert interfaces_of(bodies_of(replace(model, component_by_id=blanks))[0]) == []

@@ -276,3 +276,27 @@ def test_stock_is_piled_so_that_the_next_piece_lies_on_top_and_cut_from_boards()
         boards[str(cut["board"])] = boards.get(str(cut["board"]), 0.0) + piece.geometry.size_m[0]
     assert all(length <= 5.0 for length in boards.values())
     assert not [p for p in check_model(model) if p.code.startswith("M")]
+
+
+def test_an_overlap_is_measured_and_a_large_one_is_an_error() -> None:
+    low, middle, _ = tower()
+    little = replace(middle, world_T_component=Pose((0.0, 0.0, 0.29)))
+    deep = replace(middle, world_T_component=Pose((0.0, 0.0, 0.2)))
+    _, problems = complete(model_of([low, little]))
+    assert [(p.code, p.severity, p.where) for p in problems if p.code == "G1"] == [
+        ("G1", "W", "low")
+    ]
+    assert "1600 cm3 (5 %" in problems[0].message
+    _, problems = complete(model_of([low, deep]))
+    said = [p for p in problems if p.code == "G1"]
+    assert [p.severity for p in said] == ["E"]
+    assert "16000 cm3 (50 %" in said[0].message
+
+
+def test_faces_that_just_miss_each_other_are_named_with_the_gap() -> None:
+    low, middle, _ = tower()
+    _, problems = complete(
+        model_of([low, replace(middle, world_T_component=Pose((0.0, 0.0, 0.3023)))])
+    )
+    assert [(p.code, p.where) for p in problems] == [("G5", "low"), ("F2", "middle")]
+    assert "2.3 mm" in problems[0].message

@@ -123,6 +123,11 @@ def body_of(component: Component) -> Body:
     return Body(component.id, parts, centre)
 
 
+def volume_of(body: Body) -> float:
+    """Return the volume of all pieces in m3."""
+    return sum(_volume_and_centre(p)[0] for p in body.parts)
+
+
 def part_of(part: ConvexPart, world_T_body: Pose) -> Part:
     """Return a convex piece in the world frame with its faces."""
     if isinstance(part, Box):

@@ -16,6 +16,7 @@ from sitewright.building_model.inference.carrying import Bearing, bearing_of
 from sitewright.building_model.inference.contradictions import contradictions
 from sitewright.building_model.inference.disassembly import Given, Step, build_order
 from sitewright.building_model.inference.fastening import Fastening, fasten, joints_of
+from sitewright.building_model.inference.fit import fit_problems
 from sitewright.building_model.inference.gripping import grasps_of
 from sitewright.building_model.inference.interfaces import Interface, interfaces_of
 from sitewright.building_model.inference.known_stock import with_known_stock
@@ -117,6 +118,7 @@ def _completed(
     merged = {**given.component_by_id, **made, **{p.id: p for p in yard.pieces}}
     relations = (*new_relations(given, bearing, sequence), *_before(given, fastening, sequence))
     problems += [*fastening.problems, *yard.problems]
+    problems += fit_problems(components, bodies, interfaces)
     problems += contradictions(given, bearing, sequence)
     problems += _open_points(components, made, sequence, steps)
     return replace(

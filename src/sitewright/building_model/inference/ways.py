@@ -60,10 +60,11 @@ def ways_of(bearing: Bearing) -> Ways:
     index = np.arange(len(directions))
     for found in overlaps(bodies, directions) if len(bodies) > 1 else ():
         meets = found.enters_m < found.leaves_m - _TINY_M
-        for (i, j), enters, meet in zip(found.pairs, found.enters_m, meets, strict=True):
-            for mover, other, ways in ((i, j, index), (j, i, opposite)):
-                far[ways, mover, other] |= meet & (enters < travel[ways, mover])
-                near[ways, mover, other] |= meet & (enters < SHORT_M)
+        first, second = found.pairs[:, 0], found.pairs[:, 1]
+        for mover, other, ways in ((first, second, index), (second, first, opposite)):
+            place = (ways[None], mover[:, None], other[:, None])
+            np.logical_or.at(far, place, meets & (found.enters_m < travel[place[:2]]))
+            np.logical_or.at(near, place, meets & (found.enters_m < SHORT_M))
     return Ways(names, directions, far, near, travel < SHORT_M)
 
 
