@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections import Counter
 from itertools import pairwise
 from pathlib import Path
@@ -184,6 +185,16 @@ def test_a_mesh_with_doubled_corners_is_welded(tmp_path: Path) -> None:
     assert volume(solid) == pytest.approx(36.0)
 
 
+def test_a_coarse_tolerance_of_the_file_does_not_eat_a_thin_plate(tmp_path: Path) -> None:
+    drawing = Drawing("Meters")
+    drawing.model.Settings.ModelAbsoluteTolerance = 0.01  # as in a template of Rhino
+    drawing.add(brep_box((0, 0, 0), (2.0, 1.0, 0.005)))
+    (solid,) = only_part(drawing, tmp_path).solids
+    assert isinstance(solid, FacesSolid)
+    assert is_closed(solid)
+    assert volume(solid) == pytest.approx(0.01)
+
+
 def test_groups_and_names_come_along_and_curves_are_counted(tmp_path: Path) -> None:
     drawing = Drawing()
     drawing.add(brep_box((0, 0, 0), (1, 1, 1)), name="Plate", layer="A::B", group="Panel 7")
@@ -233,6 +244,25 @@ def test_other_files_and_files_without_solids_are_told(tmp_path: Path) -> None:
     empty = refusal(drawing.write(tmp_path / "curves.3dm"))
     assert empty.code == "E3"
     assert "PolylineCurve" in empty.message
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_changed_bytes_give_records_or_one_clear_refusal(
+    shared_data: Path, tmp_path: Path, seed: int
+) -> None:
+    content = bytearray((shared_data / "rhino" / "layer_template.3dm").read_bytes())
+    chance = random.Random(seed)  # noqa: S311 - no secret
+    objects = content.index(bytes.fromhex("13000010"))  # where the table of objects begins
+    for _ in range(3):
+        content[chance.randrange(objects, len(content))] = chance.randrange(256)
+    changed = tmp_path / "changed.3dm"
+    changed.write_bytes(content)
+    try:
+        told = {"parts"} if read_rhino(changed).parts else set()
+    except ModelRejectedError as error:
+        told = {p.code for p in error.problems}
+    assert len(told) == 1
+    assert told <= {"parts", "D1", "E2", "E3", "E4"}
 
 
 def test_a_reader_without_time_is_no_crash(shared_data: Path) -> None:

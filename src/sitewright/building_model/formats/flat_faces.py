@@ -10,6 +10,8 @@ from sitewright.foundation.pose import Vector, cross, distance, dot, norm, scale
 Face = tuple[int, ...]
 _CORNERS = 3
 _FLAT = 1e-9
+_CELL = 16.0
+"""Tolerances per cell of the grid that finds near corners."""
 
 
 class NoLoopError(ValueError):
@@ -26,18 +28,19 @@ class Corners:
     def __init__(self, tolerance: float) -> None:
         self.points: list[Vector] = []
         self._tolerance = tolerance
-        self._cells: dict[tuple[int, int, int], list[int]] = {}
+        self._cells: dict[tuple[int, ...], list[int]] = {}
 
     def index_of(self, point: Vector) -> int:
         """Return the vertex at a point; a new one if there is none yet."""
-        size = 2.0 * self._tolerance
-        i, j, k = (int(c // size) for c in point)
-        for di, dj, dk in product((0, -1, 1), repeat=3):
-            for index in self._cells.get((i + di, j + dj, k + dk), ()):
-                if distance(self.points[index], point) <= self._tolerance:
+        near, size = self._tolerance, _CELL * self._tolerance
+        around = product(*({int((c - near) // size), int((c + near) // size)} for c in point))
+        for cell in around:
+            for index in self._cells.get(cell, ()):
+                if distance(self.points[index], point) <= near:
                     return index
         self.points.append(point)
-        self._cells.setdefault((i, j, k), []).append(len(self.points) - 1)
+        x, y, z = (int(c // size) for c in point)
+        self._cells.setdefault((x, y, z), []).append(len(self.points) - 1)
         return len(self.points) - 1
 
 

@@ -23,6 +23,7 @@ Map = Callable[[Vector], Vector]
 CHORDS_PER_TURN = 72
 _CORNERS = 3
 _STRAIGHT = 1e-9
+_FINE, _FINEST = 1e-5, 1e-9
 _MAX_TRIANGLES = 2_000_000
 
 
@@ -40,13 +41,14 @@ def solid_of(geometry: Any, place: Map, tolerance: float) -> dict[str, Any]:  # 
     Args:
         geometry: A rhino3dm Extrusion, Brep or Mesh.
         place: Where blocks put it.
-        tolerance: Points nearer than this are one, in the file's unit.
+        tolerance: Of the file, in its unit; points nearer than this are one.
 
     Raises:
         NoSolidError: It has curved faces without a saved mesh, is broken or too large.
     """
     import rhino3dm
 
+    tolerance = _fine(geometry, place, tolerance)
     if isinstance(geometry, rhino3dm.Extrusion):
         return _extrusion(geometry, place, tolerance)
     corners = Corners(tolerance)
@@ -63,6 +65,13 @@ def is_round(geometry: Any) -> bool:  # noqa: ANN401
         return False
     profiles = (geometry.Profile3d(i, 0.0) for i in range(geometry.ProfileCount))
     return any(p.TryGetPolyline() is None for p in profiles)
+
+
+def _fine(geometry: Any, place: Map, tolerance: float) -> float:  # noqa: ANN401
+    """Return a tolerance that leaves thin pieces their thickness: some templates have 10 mm."""
+    box = geometry.GetBoundingBox()
+    across = norm(subtract(place(_vector(box.Max)), place(_vector(box.Min))))
+    return min(tolerance, max(_FINE * across, _FINEST))
 
 
 def _extrusion(extrusion: Any, place: Map, tolerance: float) -> dict[str, Any]:  # noqa: ANN401
