@@ -95,6 +95,21 @@ class IfcDraft:
         half = self.file.create_entity("IfcHalfSpaceSolid", plane, agreement)
         return self.file.create_entity("IfcBooleanClippingResult", "DIFFERENCE", solid, half)
 
+    def clipped_within(self, solid: Any, at: Point, normal: Point, corners: Sequence[Point]) -> Any:
+        """Clip only inside a prism over corners in the x-y plane of the item."""
+        plane = self.file.create_entity("IfcPlane", self.axes(at, normal))
+        line = self.file.create_entity(
+            "IfcPolyline", Points=[self.point(*c) for c in (*corners, corners[0])]
+        )
+        half = self.file.create_entity(
+            "IfcPolygonalBoundedHalfSpace",
+            BaseSurface=plane,
+            AgreementFlag=False,
+            Position=self.axes(),
+            PolygonalBoundary=line,
+        )
+        return self.file.create_entity("IfcBooleanClippingResult", "DIFFERENCE", solid, half)
+
     def shape(self, *items: Any) -> Any:
         body = self.file.create_entity(
             "IfcShapeRepresentation", self.body, "Body", "SolidModel", list(items)

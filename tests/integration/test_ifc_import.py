@@ -127,6 +127,24 @@ def test_the_agreement_flag_says_which_side_is_sawn_off(*, agreement: bool, tmp_
     assert normal == pytest.approx([along_bar, 0.0, 0.0])
 
 
+@pytest.mark.parametrize(
+    ("half_width", "kinds"), [(22.5, ["box"]), (30.0, ["box"]), (0.0, ["faces"])]
+)
+def test_a_bounded_half_space_is_a_saw_cut_only_if_it_cuts_right_through(
+    half_width: float, kinds: list[str], tmp_path: Path
+) -> None:
+    draft = IfcDraft()
+    corners = [(-30, -50), (half_width, -50), (half_width, 50), (-30, 50)]
+    bar = draft.extruded(draft.rectangle(), 2400.0)
+    shape = draft.shape(draft.clipped_within(bar, (0, 0, 2300), (0.5, 0, 1), corners))
+    draft.element("IfcMember", "rafter", draft.placed(), shape)
+    solids = part_of(draft, tmp_path)["solids"]
+    assert [s["kind"] for s in solids] == kinds
+    if kinds == ["faces"]:  # the half of the end, cut at 45 x 95 x 2300 less what is left of it
+        left = 22.5 * 95.0 * (2300.0 + 0.5 * 11.25) + 22.5 * 95.0 * 2400.0
+        assert volume(solids[0]) == pytest.approx(left, rel=1e-9)
+
+
 def test_a_slab_keeps_its_outline_and_a_rectangle_becomes_a_box(tmp_path: Path) -> None:
     draft = IfcDraft()
     shape = draft.shape(draft.extruded(draft.outline(L_SHAPE), 60.0))

@@ -10,6 +10,13 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from sitewright.building_model.formats.ifc_clips import (
+    Clip,
+    Point2,
+    clip_of,
+    demand_plain,
+    polyline_corners,
+)
 from sitewright.building_model.formats.ifc_placement import (
     NotAnalyticError,
     axis_pose,
@@ -17,10 +24,9 @@ from sitewright.building_model.formats.ifc_placement import (
     is_along_z,
     mapping_pose,
 )
-from sitewright.foundation.pose import Pose, Vector, dot, norm, scale, subtract, unit
+from sitewright.foundation.pose import Pose, Vector, dot, norm, scale, subtract
 
 Record = dict[str, Any]
-Point2 = tuple[float, float]
 _CORNERS = 4
 _SQUARE = 1e-9
 
@@ -60,12 +66,13 @@ def _solids(item: Any, frame: Pose, is_linear: bool) -> list[Record]:  # noqa: A
         inner = frame @ mapping_pose(item)
         inside = item.MappingSource.MappedRepresentation.Items
         return [s for i in inside for s in _solids(i, inner, is_linear)]
-    cuts: list[tuple[Vector, Vector]] = []
+    clips = []
     while item.is_a("IfcBooleanResult"):
-        cuts.append(_half_space(item))
+        clips.append(clip_of(item))
         item = item.FirstOperand
     solid = _extrusion(item, is_linear)
     own: Pose = solid.pop("pose")
+    _demand_plain(clips, own, solid)
     world_T_solid = frame @ own
     back = own.inverse()
     return [
@@ -74,20 +81,17 @@ def _solids(item: Any, frame: Pose, is_linear: bool) -> list[Record]:  # noqa: A
             "p": world_T_solid.position_m,
             "x": world_T_solid.x_axis,
             "y": world_T_solid.y_axis,
-            "cuts": [[back.apply(p), unit(back.turn(n))] for p, n in cuts],
+            "cuts": [list(c.seen_from(back)) for c in clips],
         }
     ]
 
 
-def _half_space(result: Any) -> tuple[Vector, Vector]:  # noqa: ANN401
-    """Return point and normal of the cut; the normal points to the side that is removed."""
-    tool = result.SecondOperand
-    if result.Operator != "DIFFERENCE" or tool.is_a() != "IfcHalfSpaceSolid":
-        raise NotAnalyticError(tool.is_a())
-    if not tool.BaseSurface.is_a("IfcPlane"):
-        raise NotAnalyticError(tool.BaseSurface.is_a())
-    plane = axis_pose(tool.BaseSurface.Position)
-    return plane.position_m, scale(plane.z_axis, -1.0 if tool.AgreementFlag else 1.0)
+def _demand_plain(clips: Sequence[Clip], own: Pose, solid: Record) -> None:
+    for clip in clips:
+        if solid["kind"] == "box":
+            demand_plain(clip, own, solid["size"])
+        elif clip.bound is not None:
+            raise NotAnalyticError("a bounded half-space")
 
 
 def _extrusion(item: Any, is_linear: bool) -> Record:  # noqa: ANN401, FBT001
@@ -112,7 +116,7 @@ def _extrusion(item: Any, is_linear: bool) -> Record:  # noqa: ANN401, FBT001
         at = turned.inverse().apply(frame.apply((*centre, 0.0)))
         has_grain = is_linear and depth >= max(sides)
         return _box(turned, (at[0], at[1]), sides, (low, depth), has_grain=has_grain)
-    holes = [_curve(c) for c in getattr(profile, "InnerCurves", ())]
+    holes = [polyline_corners(c) for c in getattr(profile, "InnerCurves", ())]
     base = frame @ Pose((0.0, 0.0, low))
     return {"kind": "extrusion", "pose": base, "profile": outline, "depth": depth, "holes": holes}
 
@@ -134,27 +138,7 @@ def _outline(profile: Any) -> list[Point2]:  # noqa: ANN401
     kinds = ("IfcArbitraryClosedProfileDef", "IfcArbitraryProfileDefWithVoids")
     if profile.is_a() not in kinds:
         raise NotAnalyticError(profile.is_a())
-    return _curve(profile.OuterCurve)
-
-
-def _curve(curve: Any) -> list[Point2]:  # noqa: ANN401
-    """Return the corners of a closed polyline, the first one not repeated."""
-    if curve.is_a("IfcPolyline"):
-        points = [_point2(p.Coordinates) for p in curve.Points]
-    elif curve.is_a("IfcIndexedPolyCurve") and not curve.Segments:
-        points = [_point2(c) for c in curve.Points.CoordList]
-    else:
-        raise NotAnalyticError(curve.is_a())
-    if points and points[0] == points[-1]:
-        points = points[:-1]
-    distinct = [p for i, p in enumerate(points) if p != points[i - 1]]
-    if len(distinct) < _CORNERS - 1:
-        raise NotAnalyticError("an outline without area")
-    return distinct
-
-
-def _point2(coordinates: Sequence[float]) -> Point2:
-    return (float(coordinates[0]), float(coordinates[1]))
+    return polyline_corners(profile.OuterCurve)
 
 
 def _rectangle(points: list[Point2]) -> tuple[Point2, Point2, Point2] | None:
