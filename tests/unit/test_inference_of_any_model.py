@@ -300,3 +300,17 @@ def test_faces_that_just_miss_each_other_are_named_with_the_gap() -> None:
     )
     assert [(p.code, p.where) for p in problems] == [("G5", "low"), ("F2", "middle")]
     assert "2.3 mm" in problems[0].message
+
+
+def test_a_stated_ground_level_is_kept_and_reported_if_nothing_stands_there() -> None:
+    model, problems = complete(replace(model_of(tower()), ground_z_m=0.5))
+    assert model.ground_z_m == 0.5
+    assert [(p.code, p.where) for p in problems] == [("P6", "build")]
+    raised = [replace(c, world_T_component=_up(c)) for c in tower()]
+    model, problems = complete(model_of(raised))
+    assert (model.ground_z_m, problems) == (1.0, [])
+
+
+def _up(component: Component) -> Pose:
+    x, y, z = component.world_T_component.position_m
+    return Pose((x, y, z + 1.0))

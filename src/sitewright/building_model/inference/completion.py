@@ -126,7 +126,7 @@ def _completed(
         component_by_id={i: merged[i] for i in sorted(merged)},
         relations=(*given.relations, *relations),
         stacks=(*given.stacks, *yard.stacks),
-        ground_z_m=round(bearing.ground_m, 7) if bearing.ground else given.ground_z_m,
+        ground_z_m=given.ground_z_m or round(bearing.ground_m, 7),
     ), problems
 
 

@@ -19,6 +19,10 @@ def contradictions(
     model: BuildingModel, bearing: Bearing, sequence: Assembling
 ) -> Iterator[Problem]:
     """Yield one problem for each stated fact that the geometry speaks against."""
+    if model.ground_z_m and abs(model.ground_z_m - bearing.ground_m) > GROUND_M:
+        message = f"Nothing stands on the stated ground; the lowest is at {bearing.ground_m:.3f} m."
+        fix = "Correct 'ground_z_m', or move the model."
+        yield Problem(code=CODE, severity="W", where="build", message=message, fix=fix)
     for i in sequence.steps:
         component = model.component_by_id[i]
         yield from _parents(component, bearing)
