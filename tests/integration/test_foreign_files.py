@@ -285,3 +285,12 @@ def test_a_wall_of_425_members_is_read_in_a_second(tmp_path: Path) -> None:
     _, model = design(path, unit="m")
     assert time.process_time() - begun < 5.0
     assert lengths_mm(model) == {2400.0: 425}
+
+
+def test_the_joints_of_the_btlx_house_outlive_another_inference(
+    shared_data: Path, tmp_path: Path
+) -> None:
+    import_file(shared_data / "timber" / "frame_house.btlx", tmp_path / "house")
+    run = CliRunner().invoke(commands, ["infer", str(tmp_path / "house")])
+    assert run.exit_code == 0
+    assert "Nothing to infer" in run.output

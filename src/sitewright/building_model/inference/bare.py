@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from sitewright.building_model.component import Component, Layer, Origin
-from sitewright.building_model.model import BuildingModel, Stack
+from sitewright.building_model.model import BuildingModel, Relation, RelationKind, Stack
 from sitewright.foundation.ids import ComponentId
 
 INSERTION = "insertion"
@@ -26,9 +26,14 @@ def without_inferred(model: BuildingModel) -> BuildingModel:
     return replace(
         model,
         component_by_id={i: _stated(c) for i, c in model.component_by_id.items() if i not in made},
-        relations=tuple(r for r in model.relations if r.origin is Origin.GIVEN),
+        relations=tuple(r for r in model.relations if _is_kept(r)),
         stacks=tuple(_stacks(model, made)),
     )
+
+
+def _is_kept(relation: Relation) -> bool:
+    """Whether a relation is not ours to infer again: joints come from the importer only."""
+    return relation.origin is Origin.GIVEN or relation.kind is RelationKind.CONNECTION
 
 
 def is_given(component: Component, fact: str) -> bool:
