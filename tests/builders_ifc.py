@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import uuid
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -18,9 +19,15 @@ Point = Sequence[float]
 
 
 class IfcDraft:
-    """An IFC file under construction, in millimetres unless told otherwise."""
+    """An IFC file under construction, in millimetres unless told otherwise.
 
-    def __init__(self, schema: str = "IFC4", *, prefix: str | None = "MILLI") -> None:
+    With a seed its GlobalIds are the same each time.
+    """
+
+    def __init__(
+        self, schema: str = "IFC4", *, prefix: str | None = "MILLI", seed: str = ""
+    ) -> None:
+        self._seed, self._count = seed, itertools.count()
         self.file: Any = ifcopenshell.file(schema=schema)
         new = self.file.create_entity
         self.context = new(
@@ -48,7 +55,9 @@ class IfcDraft:
     def rooted(self, kind: str, **values: Any) -> Any:
         if self.file.schema == "IFC2X3" and "OwnerHistory" not in values:
             values["OwnerHistory"] = self._history()
-        return self.file.create_entity(kind, GlobalId=guid.new(), **values)
+        name = f"{self._seed} {next(self._count)}"
+        own = guid.compress(uuid.uuid5(uuid.NAMESPACE_OID, name).hex) if self._seed else guid.new()
+        return self.file.create_entity(kind, GlobalId=own, **values)
 
     def point(self, *values: float) -> Any:
         return self.file.create_entity("IfcCartesianPoint", Coordinates=[float(v) for v in values])
@@ -229,7 +238,7 @@ def lying_frame() -> IfcDraft:
     The pieces of stock are on layer Material and say on which pile they lie, as a user writes
     it into property sets; the tasks put the supports before the studs.
     """
-    draft = IfcDraft()
+    draft = IfcDraft(seed="lying frame")
     thick: dict[str, Any] = {
         "sides": (140, 90),
         "PredefinedType": "USERDEFINED",
