@@ -24,8 +24,8 @@ from sitewright.building_model.formats.neutral import (
     BoxSolid,
     ExtrusionSolid,
     NeutralFile,
-    NeutralRelation,
 )
+from sitewright.building_model.formats.neutral_relations import relation_of
 from sitewright.building_model.formats.neutral_scale import Scale, bound_problems, scale_of
 from sitewright.building_model.formats.part_drafts import Choices, Draft, drafts_of
 from sitewright.building_model.formats.part_names import Directory, double_ids
@@ -37,7 +37,7 @@ from sitewright.building_model.formats.user_text import (
     word,
     yes_or_no,
 )
-from sitewright.building_model.model import BuildingModel, Relation, RelationKind
+from sitewright.building_model.model import BuildingModel
 from sitewright.errors import ModelRejectedError, Problem
 from sitewright.foundation.canonical import Json, sha256_hex
 from sitewright.foundation.ids import ComponentId
@@ -124,7 +124,7 @@ def _model(
                 (
                     relation
                     for stated in neutral.relations
-                    if (relation := _relation(stated, directory, scaling)) is not None
+                    if (relation := relation_of(stated, directory, scaling)) is not None
                 ),
                 key=lambda r: (r.kind, r.a, r.b),
             )
@@ -266,28 +266,6 @@ def _cuts(draft: Draft, pose: Pose, scaling: Scale) -> tuple[tuple[PlaneCut, ...
         back = pose.inverse()
         cuts.append(PlaneCut(back.apply(point), unit(back.turn(frame.turn(cut.normal)))))
     return tuple(cuts), []
-
-
-def _relation(stated: NeutralRelation, directory: Directory, scaling: Scale) -> Relation | None:
-    a, b = directory.by_source(stated.a), directory.by_source(stated.b)
-    if a is None or b is None or a == b or stated.kind not in set(RelationKind):
-        return None
-    return Relation(kind=RelationKind(stated.kind), a=a, b=b, data=_data(stated.data, scaling))
-
-
-def _data(data: Mapping[str, Json], scaling: Scale) -> dict[str, Json]:
-    """Return the data of a relation in metres: ``area`` and ``location`` change their names."""
-    result: dict[str, Json] = {}
-    for key, value in data.items():
-        if key == "area" and isinstance(value, int | float):
-            result["area_m2"] = value * scaling.metres**2
-        elif key == "location" and isinstance(value, list | tuple):
-            x, y, z = (float(str(v)) for v in value)
-            place = subtract(scale((x, y, z), scaling.metres), scaling.shift_m)
-            result["location_m"] = list(place)
-        else:
-            result[key] = value
-    return result
 
 
 def _problem(draft: Draft, code: str, message: str, fix: str, severity: str = "E") -> Problem:
