@@ -36,6 +36,7 @@ COMMANDS = {
     "run",
     "resolve",
     "report",
+    "export",
     "doctor",
     "version",
 }
