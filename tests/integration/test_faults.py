@@ -279,7 +279,7 @@ def test_a_second_run_of_a_project_is_refused_while_the_first_goes_on(tmp_path: 
 
 
 def test_an_interrupt_stops_the_robots_and_the_same_command_goes_on(tmp_path: Path) -> None:
-    with real_site(tmp_path, studs=0, supports=1, real_time_factor=2.0) as site:
+    with real_site(tmp_path, studs=0, supports=1, real_time_factor=0.7) as site:
         life = site.begin()
         until(lambda: site.last_cell_record().get("skill") == Skill.GRASP)
         until(lambda: site.last_cell_record().get("skill") == Skill.REACH)

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import click
 import pytest
 from click.testing import CliRunner
 
@@ -67,11 +68,19 @@ def test_the_commands_are_these() -> None:
     assert set(commands.commands) == COMMANDS
 
 
+def help_pages(command: str, own: str) -> list[str]:
+    """Return the help of a command, or of each command in a group of them."""
+    group = commands.commands[command]
+    if not isinstance(group, click.Group):
+        return [own]
+    return [CliRunner().invoke(commands, [command, c, "--help"]).output for c in group.commands]
+
+
 @pytest.mark.parametrize("command", sorted(COMMANDS))
 def test_every_command_answers_in_json_and_explains_itself(command: str) -> None:
     result = CliRunner().invoke(commands, [command, "--help"])
     assert result.exit_code == 0
-    assert "--json" in result.output
+    assert all("--json" in page for page in help_pages(command, result.output))
     text = commands.commands[command].help
     assert text
     assert text.strip()[0].isupper()
