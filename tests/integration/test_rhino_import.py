@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+import subprocess
+import sys
 from collections import Counter
 from itertools import pairwise
 from pathlib import Path
@@ -24,6 +26,21 @@ ANGLE = [
     *((0.0, 0.0, 0.0), (40.0, 0.0, 0.0), (40.0, 10.0, 0.0)),
     *((10.0, 10.0, 0.0), (10.0, 30.0, 0.0), (0.0, 30.0, 0.0)),
 ]
+
+SAVED_MESH = """
+import os, sys, rhino3dm
+mesh = rhino3dm.Mesh()
+for corner in [(0, 0, 0), (6, 0, 0), (0, 6, 0), (0, 0, 6)]:
+    mesh.Vertices.Add(*corner)
+for face in [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]:
+    mesh.Faces.AddFace(*face)
+ball = rhino3dm.Brep.CreateFromSphere(rhino3dm.Sphere(rhino3dm.Point3d(0, 0, 0), 3.0))
+assert ball.Faces[0].SetMesh(mesh, rhino3dm.MeshType.Render)
+model = rhino3dm.File3dm()
+model.Objects.AddBrep(ball)
+assert model.Write(sys.argv[1], 8)
+os._exit(0)  # SetMesh leaves the mesh with two owners; tidying up would crash
+"""
 
 
 def only_part(drawing: Drawing, tmp_path: Path) -> NeutralPart:
@@ -181,6 +198,17 @@ def test_a_mesh_with_doubled_corners_is_welded(tmp_path: Path) -> None:
     (solid,) = only_part(drawing, tmp_path).solids
     assert isinstance(solid, FacesSolid)
     assert len(solid.vertices) == 4
+    assert is_closed(solid)
+    assert volume(solid) == pytest.approx(36.0)
+
+
+def test_a_curved_face_is_read_from_the_mesh_that_was_saved_with_it(tmp_path: Path) -> None:
+    file = tmp_path / "saved.3dm"
+    subprocess.run([sys.executable, "-c", SAVED_MESH, str(file)], check=True, timeout=60)
+    (part,) = read_rhino(file).parts
+    (solid,) = part.solids
+    assert part.problems == ()
+    assert isinstance(solid, FacesSolid)
     assert is_closed(solid)
     assert volume(solid) == pytest.approx(36.0)
 

@@ -85,12 +85,14 @@ def new_path(path: str, role: Layer, names: LayerNames) -> str:
 
 
 def _mark(model: Any, thing: Any, state: Mapping[str, Any], names: LayerNames) -> None:  # noqa: ANN401
+    from sitewright.building_model.formats.rhino_reader import entry_at
+
     attributes, role = thing.Attributes, Layer(state["layer"])
     for key, value in state["keys"].items():
         attributes.SetUserString(PREFIX + key, str(value))
     if attributes.GetUserString(f"{PREFIX}layer"):  # it would outvote the layer
         attributes.SetUserString(f"{PREFIX}layer", role.value)
-    old = model.Layers.FindIndex(attributes.LayerIndex)
+    old = entry_at(model.Layers, attributes.LayerIndex)
     path = new_path(str(old.FullPath) if old is not None else "", role, names)
     attributes.LayerIndex = _layer_at(model, path, old)
 

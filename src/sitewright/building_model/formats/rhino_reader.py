@@ -166,8 +166,16 @@ def _text(holder: Any) -> dict[str, str]:  # noqa: ANN401
     return {str(k): str(v) for k, v in pairs if not str(k).startswith(_MADE_BY_RHINO)}
 
 
+def entry_at(table: Any, index: int) -> Any:  # noqa: ANN401
+    """Return the entry of a table by its own index, None without one; rhino3dm may raise."""
+    try:
+        return table.FindIndex(index)
+    except IndexError:
+        return None
+
+
 def _layer_path(model: Any, attributes: Any) -> str:  # noqa: ANN401
-    layer = model.Layers.FindIndex(attributes.LayerIndex)
+    layer = entry_at(model.Layers, attributes.LayerIndex)
     return str(layer.FullPath) if layer is not None else ""
 
 
@@ -175,7 +183,7 @@ def _groups(model: Any, attributes: Any) -> list[str]:  # noqa: ANN401
     """Return the names of its groups, the innermost first."""
     names = []
     for index in attributes.GetGroupList():
-        group = model.Groups.FindIndex(index)
+        group = entry_at(model.Groups, index)
         names.append(str(group.Name) if group is not None and group.Name else f"group {index}")
     return names
 
