@@ -114,6 +114,28 @@ class RealSite:
         lines = [f"{name} = {value}" for name, value in settings.items()]
         file.write_text("\n".join([text.rstrip("\n"), "", "[simulation]", *lines, ""]))
 
+    def paint(self, target: str) -> None:
+        """Add a painted stripe to a target, on its upper face."""
+        file = self.project / "building.json"
+        building = json.loads(file.read_text())
+        (component,) = [c for c in building["components"] if c["id"] == target]
+        height_m = component["geometry"]["box"]["size_m"][2]
+        component["operations"] = [
+            {
+                "id": f"{target}.paint",
+                "process": "paint",
+                "on": [target],
+                "component_T_operation": {"p_m": [0, 0, height_m / 2], "q_wxyz": [0, 1, 0, 0]},
+                "patch": {
+                    "size_m": [0.4, 0.08],
+                    "standoff_m": 0.12,
+                    "width_m": 0.05,
+                    "speed_m_s": 0.15,
+                },
+            }
+        ]
+        file.write_text(json.dumps(building))
+
     # ---- commands --------------------------------------------------------------------------
 
     def begin(self, *arguments: str, **environment: str) -> subprocess.Popen[bytes]:
@@ -286,8 +308,9 @@ def check_journal_against_physics(site: RealSite, *, nails: int) -> None:
 
 def _check_nails(events: list[AnyEvent], physical: list[Record], nails: int) -> None:
     driven = Counter(e["operation"] for e in physical if e["effect"] == "fastener")
-    recorded = Counter(str(e.operation) for e in events if isinstance(e, OperationDone))
-    assert driven == recorded
+    done = Counter(str(e.operation) for e in events if isinstance(e, OperationDone))
+    painted = {e["operation"] for e in physical if e["effect"] == "paint"}
+    assert driven == Counter({o: n for o, n in done.items() if o not in painted})
     assert len(driven) == nails
     assert set(driven.values()) <= {1}, "a nail was driven twice"
 

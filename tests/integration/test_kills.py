@@ -173,6 +173,37 @@ def is_handling(site: RealSite, skill: Skill) -> bool:
     return skill == Skill.GRASP or bool(site.physical("gripped"))
 
 
+def test_a_cell_killed_in_a_tool_change_leaves_the_dock_and_goes_on(tmp_path: Path) -> None:
+    """It dies before the old tool is docked, with a bare flange, with the new one, and painting."""
+    moments_of_change = [
+        ("accepted", Skill.CHANGE_END_EFFECTOR),
+        ("effect", "tool-docked"),
+        ("effect", "tool-taken"),
+        ("accepted", Skill.APPLY_FINISH),
+    ]
+    with real_site(tmp_path, studs=0, supports=1, real_time_factor=4.0) as site:
+        site.paint("support-1")
+        life = site.begin()
+        for moment in moments_of_change:
+            until(partial(is_last, site, *moment))
+            site.kill_cell()
+        asked = site.end_of(life)
+        assert asked.exit_code == QUESTION, asked.message or asked.said
+        assert "apply-finish" in asked.document["question"]["text"]
+        assert site.resolve(asked.document, "not-done").exit_code == 0
+        ended = site.run()
+        assert ended.exit_code == 0, ended.message or ended.said
+        assert (ended.document["finishes_applied"], ended.document["unallowed_contacts"]) == (1, 0)
+        changes = [(e["effect"], e["end_effector"]) for e in site.physical() if "end_effector" in e]
+        assert changes == [("tool-docked", "nail-gun"), ("tool-taken", "paint-head")]
+        check_journal_against_physics(site, nails=0)
+
+
+def is_last(site: RealSite, kind: str, what: str) -> bool:
+    record = site.last_cell_record()
+    return (record.get("kind"), record.get("skill", record.get("effect"))) == (kind, what)
+
+
 def test_a_nail_without_an_end_is_a_question_until_a_person_looks(tmp_path: Path) -> None:
     """The cell dies before one shot, after another, and at one that somebody calls half done."""
     with real_site(tmp_path, real_time_factor=2.0) as site:

@@ -6,7 +6,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from sitewright.app.runner import Run
-from sitewright.app.runner_steps import flight_of, gate, observed, superseded
+from sitewright.app.runner_steps import (
+    changes,
+    flight_of,
+    gate,
+    held_if_grave,
+    observed,
+    superseded,
+)
 from sitewright.central_controller.cycle_state import CycleState, Flight
 from sitewright.central_controller.events import (
     AnyEvent,
@@ -60,6 +67,7 @@ def _by_class(run: Run, intent: SkillIntent) -> Iterator[AnyEvent]:
     """Settle a command that was accepted and has no end, by what kind of skill it is."""
     match SKILL_CLASS.get(intent.call.skill, SkillClass.ONCE):
         case SkillClass.ONCE:
+            yield from _seen_after(run, intent)
             yield SkillReconciled(
                 command_id=intent.command_id,
                 verdict="unknown",
@@ -81,10 +89,18 @@ def _by_sensors(run: Run, intent: SkillIntent) -> Iterator[AnyEvent]:
 
 def _not_done(run: Run, intent: SkillIntent, evidence: str) -> Iterator[AnyEvent]:
     """Record where things are now, then let the plan go: the next one starts from there."""
-    now, before = run.cell.observe(), run.state.site.sensed
     yield superseded(run, f"{intent.call.skill} was interrupted.", is_replan=False)
-    yield from differences(before, now)
+    yield from _seen_after(run, intent)
     yield SkillReconciled(command_id=intent.command_id, verdict="not-done", evidence=evidence)
+
+
+def _seen_after(run: Run, intent: SkillIntent) -> Iterator[AnyEvent]:
+    """Record how the site is found after an interruption, and what nobody asked for."""
+    now, before = run.cell.observe(), run.state.site.sensed
+    deviations = changes(run, now, intent)
+    yield from deviations
+    yield from differences(before, now)
+    yield from held_if_grave(deviations)
 
 
 def reissue(run: Run) -> Iterator[AnyEvent]:

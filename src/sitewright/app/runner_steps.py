@@ -39,16 +39,16 @@ _EXECUTION_FAILED = 8
 def observed(run: Run) -> Generator[AnyEvent, None, Observation]:
     """Sense the site while nothing moves, and record what changed by itself."""
     now, site = run.cell.observe(), run.state.site
-    deviations = _changes(run, now)
+    deviations = changes(run, now)
     yield from deviations
     yield from displaced(site, now)
     if deviations or site.sensed is None:
         yield from differences(site.sensed, now)
-    yield from _held_if_grave(deviations)
+    yield from held_if_grave(deviations)
     return now
 
 
-def _changes(
+def changes(
     run: Run, now: Observation, intent: SkillIntent | None = None
 ) -> tuple[DeviationSeen, ...]:
     """Return what nobody asked for, pieces that lie about left out."""
@@ -162,7 +162,7 @@ def sense(run: Run) -> Iterator[AnyEvent]:
         evidence = f"reported as done, but {denied[0].what}"
         yield SkillReconciled(command_id=intent.command_id, verdict="unknown", evidence=evidence)
         return
-    deviations = (*_changes(run, now, intent), *denied)
+    deviations = (*changes(run, now, intent), *denied)
     if is_done and not denied:
         yield from effects(intent, site, now, by=by)
     yield from displaced(run.state.site, now)
@@ -171,7 +171,7 @@ def sense(run: Run) -> Iterator[AnyEvent]:
     if deviations or not is_done:
         yield superseded(run, _why(flight, deviations))
     yield from differences(site.sensed, now, after=intent.command_id)
-    yield from _held_if_grave(deviations)
+    yield from held_if_grave(deviations)
 
 
 def flight_of(run: Run) -> Flight:
@@ -188,7 +188,8 @@ def _why(flight: Flight, deviations: tuple[DeviationSeen, ...]) -> str:
     return f"After {call.skill} by {call.robot}: {deviations[0].subject} {deviations[0].what}."
 
 
-def _held_if_grave(deviations: tuple[DeviationSeen, ...]) -> Iterator[AnyEvent]:
+def held_if_grave(deviations: tuple[DeviationSeen, ...]) -> Iterator[AnyEvent]:
+    """Stop for a person if one of the deviations asks for it."""
     for deviation in deviations:
         if deviation.level >= _NEEDS_PERSON:
             reason = f"{deviation.subject} {deviation.what}. Look at the cell, then run again."

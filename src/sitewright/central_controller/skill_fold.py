@@ -100,9 +100,9 @@ def answered(state: CycleState, answer: Answer) -> CycleState:
             ended = replace(flight, phase=Phase.ENDED, report=done, source="person")
             return _robot_placed(replace(state, flight=ended), ended)
         case Answer.NOT_DONE:
-            return _not_done(state, flight)
+            return _stayed(_not_done(state, flight), flight)
         case Answer.PARTIAL:
-            state = _not_done(state, flight)
+            state = _stayed(_not_done(state, flight), flight)
             why = f"{' '.join(flight.intent.call.arguments)} was left half done; rework it by hand."
             rework = {**state.site.needs_rework, flight.intent.target: why}
             return replace(state, site=replace(state.site, needs_rework=rework))

@@ -14,12 +14,12 @@ from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk
 from sitewright.planning_twin.scene import Body, SceneSnapshot
 from sitewright.planning_twin.setting_down import lying_on_fixtures, pose_on
 from sitewright.planning_twin.skill_motions.reach import placed_piece
+from sitewright.planning_twin.skill_motions.resting import resting_contacts
 from sitewright.planning_twin.skill_motions.stage import (
     PlannedSkill,
     SkillRefusal,
     Stage,
     pose_json,
-    resting_contacts,
 )
 from sitewright.planning_twin.skill_times import ACT_TIME_S
 from sitewright.planning_twin.task import declared

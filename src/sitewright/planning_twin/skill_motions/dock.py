@@ -42,7 +42,7 @@ def tool_in_dock(stage: Stage, robot: RobotId) -> EndEffector | None:
 
 def dock_touch(stage: Stage, robot: RobotId, tool: EndEffector, dock: Pose) -> Touch:
     """Return the contact of a flange with a tool that stands in its dock, or is put there."""
-    near = _dock_contacts(stage, robot, tool)
+    near = dock_contacts(stage, robot, tool)
     return Touch(
         world_T_tip=dock,
         back_off=scale(dock.z_axis, -1.0),
@@ -52,7 +52,7 @@ def dock_touch(stage: Stage, robot: RobotId, tool: EndEffector, dock: Pose) -> T
     )
 
 
-def _dock_contacts(stage: Stage, robot: RobotId, tool: EndEffector) -> dict[Pair, float]:
+def dock_contacts(stage: Stage, robot: RobotId, tool: EndEffector) -> dict[Pair, float]:
     """Return what may touch in a dock: flange and tool, tool and rack."""
     links = stage.robot(robot).description.links
     flange = next(link.name for link in reversed(links) if link.shape)

@@ -16,12 +16,12 @@ from sitewright.planning_twin.motion import PathSegment, PlannedMotion
 from sitewright.planning_twin.refusal import Disagreement, NoIk, NotClear
 from sitewright.planning_twin.scene import Pair
 from sitewright.planning_twin.skill_motions.moving import finished_motion
+from sitewright.planning_twin.skill_motions.resting import resting_contacts
 from sitewright.planning_twin.skill_motions.stage import (
     PlannedSkill,
     SkillRefusal,
     Stage,
     pose_json,
-    resting_contacts,
     with_joints,
 )
 from sitewright.planning_twin.task import declared

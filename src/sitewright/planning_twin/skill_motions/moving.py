@@ -27,7 +27,8 @@ from sitewright.planning_twin.refusal import (
     Refusal,
 )
 from sitewright.planning_twin.scene import Pair, SceneSnapshot
-from sitewright.planning_twin.skill_motions.stage import Stage, resting_contacts, with_joints
+from sitewright.planning_twin.skill_motions.resting import resting_contacts
+from sitewright.planning_twin.skill_motions.stage import Stage, with_joints
 from sitewright.planning_twin.skill_motions.way_out import stands_in_contact, way_out
 from sitewright.robot_team.cell import Robot
 from sitewright.robot_team.description import Joints

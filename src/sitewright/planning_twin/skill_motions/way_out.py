@@ -16,10 +16,9 @@ from sitewright.planning_twin.motion import PathSegment
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.planning_twin.scene import Pair
 from sitewright.planning_twin.skill_motions.dock import tool_in_dock, way_up
+from sitewright.planning_twin.skill_motions.resting import may_touch, resting_contacts
 from sitewright.planning_twin.skill_motions.stage import (
     Stage,
-    may_touch,
-    resting_contacts,
 )
 from sitewright.planning_twin.task import UP
 from sitewright.planning_twin.touches import lift_thresholds
