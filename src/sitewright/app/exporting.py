@@ -87,18 +87,40 @@ def export_ifc(project: Project, original: Path, out: Path) -> Export:
     )
 
 
+def export_rhino(project: Project, original: Path, out: Path) -> Export:
+    """Write the as-built state onto a copy of the original Rhino file, and tell what it loses.
+
+    Raises:
+        BackendMissingError: The extra ``[rhino]`` is not installed.
+        ModelRejectedError: The original cannot be read.
+    """
+    from sitewright.building_model.formats import rhino_export
+
+    model = as_built_model(project)
+    status = status_by_source(model, project.cell.world_T_model)
+    copy = rhino_export.export_rhino(original, status, out)
+    missing = (f"{i} is not in {original.name}; nothing was written of it." for i in copy.not_found)
+    return Export(
+        files=(copy.path, *_status_file(project, model, out)),
+        installed=len(copy.written),
+        notes=(*copy.losses, *missing),
+    )
+
+
 def original_of(project: Project, kind: str) -> Path:
     """Return the file that a project was imported from.
 
     Raises:
         ProjectError: Nothing of the model comes from a file of that kind, or it is gone.
     """
-    names = {
-        c.source.file
+    sources = [s for s in project.model.sources if s.kind.startswith(kind)]
+    sources += [
+        c.source
         for c in project.model.component_by_id.values()
-        if c.source is not None and c.source.kind == kind
-    }
-    found = [p for n in sorted(names) for p in (Path(n), project.folder / n) if n and p.exists()]
+        if c.source is not None and c.source.kind.startswith(kind)
+    ]
+    names = {s.file for s in sources if s.file}
+    found = [p for n in sorted(names) for p in (Path(n), project.folder / n) if p.exists()]
     if not found:
         listed = f" ({', '.join(sorted(names))})" if names else ""
         raise ProjectError(

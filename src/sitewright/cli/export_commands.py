@@ -9,8 +9,6 @@ import click
 from sitewright.cli.options import FILE, cell_option, json_option, project_argument
 from sitewright.cli.output import Output
 
-_FORMATS = ("json", "csv", "ifc")
-
 
 @click.command()
 @project_argument
@@ -18,6 +16,7 @@ _FORMATS = ("json", "csv", "ifc")
 @click.option("--json-model", "kind", flag_value="json", help="As-built model, native schema.")
 @click.option("--csv", "kind", flag_value="csv", default="csv", help="Table (the default).")
 @click.option("--ifc", "kind", flag_value="ifc", help="Lines added to a copy of the IFC file.")
+@click.option("--3dm", "kind", flag_value="rhino", help="Onto a copy of the Rhino file.")
 @click.option("--original", type=FILE, help="The imported file, if it has moved.")
 @click.option("-o", "--out", type=click.Path(path_type=Path), help="File to write.")
 @json_option
@@ -43,6 +42,10 @@ def export(
         source = original or exporting.original_of(opened, "ifc")
         goal = out or source.with_name(f"{source.stem}_asbuilt.ifc")
         written = exporting.export_ifc(opened, source, goal)
+    elif kind == "rhino":
+        source = original or exporting.original_of(opened, "rhino")
+        goal = out or source.with_name(f"{source.stem}_asbuilt.3dm")
+        written = exporting.export_rhino(opened, source, goal)
     else:
         written = exporting.export_csv(opened, goal)
     for note in written.notes:
