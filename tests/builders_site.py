@@ -40,9 +40,11 @@ from sitewright.robot_team.drivers.mujoco.cell_log import (
 )
 from sitewright.robot_team.drivers.mujoco.places import PID_NAME
 
-COMMAND = (sys.executable, "-c", "from sitewright.cli.main import main; main()")
+_INTERRUPTIBLE = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+COMMAND = (sys.executable, "-c", f"{_INTERRUPTIBLE}; from sitewright.cli.main import main; main()")
+"""Shells start what they put in the background with SIGINT ignored; the test sends one."""
 NAILS_PER_STUD = 4
-_POLL_S = 0.006
+_POLL_S = 0.01
 _PATIENCE_S = 110.0
 
 
