@@ -38,7 +38,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
 KILLS = 10
 JOURNAL_RECORDS, CELL_RECORDS = 150, 92
 """An undisturbed run writes a few more."""
-WATCHED_SPEED = 8.0
+WATCHED_SPEED = 16.0
 """Simulated seconds per second: slow enough that kills hit motions, not only pauses."""
 QUESTION = 8
 
