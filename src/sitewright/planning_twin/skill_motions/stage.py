@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import BodyId, ComponentId, RobotId
+from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.approach import Reaching
 from sitewright.planning_twin.jobsite import Jobsite, scene_of
 from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.planning_twin.refusal import Refusal
-from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot
+from sitewright.planning_twin.scene import Pair
 from sitewright.planning_twin.study import Study
 from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import TwinContext
@@ -120,15 +120,6 @@ def with_opening(site: Jobsite, robot: RobotId, aperture_m: float) -> Jobsite:
     """Return the site with a robot's gripper opened or closed."""
     arm = replace(site.arms[robot], aperture_m=aperture_m)
     return replace(site, arms={**site.arms, robot: arm})
-
-
-def attached_to(scene: SceneSnapshot, robot: RobotId) -> tuple[BodyId, ...]:
-    """Return the bodies that a robot carries."""
-    return tuple(
-        i
-        for i, b in scene.bodies.items()
-        if isinstance(b.placement, Attachment) and b.placement.robot == robot
-    )
 
 
 def pose_json(pose: Pose) -> Json:
