@@ -66,6 +66,7 @@ def test_a_convex_face_stays_whole_and_turns_to_its_normal() -> None:
 
 
 def test_a_face_with_a_hole_becomes_triangles_of_the_same_area() -> None:
+    pytest.importorskip("shapely", reason="needs the extra [rhino]: make all-env")
     outer = [(0.0, 0.0, 0.0), (9.0, 0.0, 0.0), (9.0, 9.0, 0.0), (4.0, 5.0, 0.0), (0.0, 9.0, 0.0)]
     hole = [(1.0, 1.0, 0.0), (2.0, 1.0, 0.0), (2.0, 3.0, 0.0)]
     points = [*outer, *hole]
@@ -78,6 +79,7 @@ def test_a_face_with_a_hole_becomes_triangles_of_the_same_area() -> None:
 
 
 def test_a_face_that_crosses_itself_is_refused() -> None:
+    pytest.importorskip("shapely", reason="needs the extra [rhino]: make all-env")
     points = [(0.0, 0.0, 0.0), (3.0, 1.0, 0.0), (0.0, 1.0, 0.0), (2.0, 0.0, 0.0)]
     with pytest.raises(NoLoopError, match="cross"):
         faces_of_loops(points, [[0, 1, 2, 3]], Z)
