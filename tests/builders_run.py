@@ -515,8 +515,9 @@ class Site:
         cell.write(world)
 
 
-def _write_as_built(folder: Path, site: SiteState) -> None:
-    (folder / "as_built.json").write_text(" ".join(site.installed), encoding="utf-8")
+def _write_as_built(folder: Path, site: SiteState, installed_at: Mapping[ComponentId, str]) -> None:
+    lines = [f"{t} {installed_at[t]}" for t in site.installed]
+    (folder / "as_built.json").write_text("\n".join(lines), encoding="utf-8")
 
 
 def cell_dies() -> BaseException:

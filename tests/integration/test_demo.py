@@ -68,6 +68,8 @@ def test_the_run_folder_has_what_the_demo_says(folder: Path, demo: dict[str, Any
     as_built = json.loads((run / "as_built.json").read_text(encoding="utf-8"))
     built = [c["id"] for c in as_built["components"] if c["layer"] == "as_built"]
     assert sorted(built) == ["stud-1", "stud-2", "stud-3", "support-1", "support-2"]
+    sitewright("export", run.parents[1], "--json-model", "-o", folder / "out.json", cwd=folder)
+    assert json.loads((folder / "out.json").read_text(encoding="utf-8")) == as_built
     design = json.loads((run.parents[1] / "building.json").read_text(encoding="utf-8"))
     assert not [c for c in design["components"] if c["layer"] == "as_built"]
     for target in built:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 from typing_extensions import override
 
 from builders_run import A, B, Person, Site, World, design, moved
+from sitewright.app.installing import installed_times
 from sitewright.app.locks import LockedError, locked
 from sitewright.app.run import resolve, run_project
 from sitewright.app.run_folder import RunFolder, chain_events, chain_of, run_folders
@@ -47,6 +49,10 @@ def events_of(site: Site) -> list[AnyEvent]:
     return list(chain_events(chain_of(folder))[0])
 
 
+def times(folder: Path) -> dict[str, str]:
+    return dict(line.split() for line in (folder / "as_built.json").read_text().splitlines())
+
+
 def kinds(site: Site) -> list[str]:
     return [e.kind for e in events_of(site)]
 
@@ -64,7 +70,9 @@ def test_a_building_goes_up_and_every_effect_happens_once(tmp_path: Path) -> Non
     assert (result.exit_code, result.is_complete) == (0, True), result.message
     assert nails(site) == ALL_NAILS
     assert result.site.installed == ("stud-1", "stud-2")
-    assert (result.folder / "as_built.json").read_text() == "stud-1 stud-2"
+    written = times(result.folder)
+    assert list(written) == ["stud-1", "stud-2"]
+    assert all(datetime.fromisoformat(at).tzinfo == UTC for at in written.values())
     assert sorted(p.name for p in (result.folder / "pddl").iterdir()) == [
         "stud-1-1.plan",
         "stud-1-1.problem",
@@ -102,6 +110,8 @@ def test_a_new_target_in_the_design_continues_the_newest_run(tmp_path: Path) -> 
     assert second.run != first.run
     assert second.site.installed == ("stud-1", "stud-2", "stud-3")
     assert len(nails(site)) == 6
+    assert times(first.folder).items() < times(second.folder).items()
+    assert times(second.folder) == installed_times(chain_of(RunFolder(second.folder)))
 
 
 def test_a_previous_run_that_was_cut_is_noticed(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from sitewright.app.run_folder import RunFolder, event_of
 from sitewright.central_controller.events import AnyEvent, event_to_json
 from sitewright.foundation.clock import Clock
 from sitewright.foundation.ids import IdSource
+from sitewright.interaction_twin.report.content import Stamped
 from sitewright.journal.record import Entry
 from sitewright.journal.sqlite import SqliteJournal
 
@@ -22,8 +23,8 @@ class EventLog:
         self._folder, self._journal = folder, journal
         self._clock, self._ids, self._boot = clock, ids, boot_id()
 
-    def append(self, event: AnyEvent) -> AnyEvent:
-        """Write an event and return it as it was stored, exactly as a replay reads it."""
+    def append(self, event: AnyEvent) -> Stamped:
+        """Write an event and return it as it was stored, exactly as a replay reads it, and when."""
         record = self._journal.append(
             Entry(
                 event_id=self._ids.new(),
@@ -37,4 +38,4 @@ class EventLog:
                 body=event_to_json(event),
             )
         )
-        return event_of(self._folder, record)
+        return Stamped(at_utc_ns=record.t_utc_ns, event=event_of(self._folder, record))

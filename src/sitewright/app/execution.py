@@ -10,26 +10,23 @@ from pathlib import Path
 from sitewright.app.clock import SystemClock
 from sitewright.app.engines import identity_of, proposals_of
 from sitewright.app.ids import UuidSource
+from sitewright.app.installing import write_as_built
 from sitewright.app.planning import start_of
 from sitewright.app.project import Project, ProjectError
 from sitewright.app.run import RunOptions, RunResult, resolve, run_project
 from sitewright.app.run_folder import installation_key
 from sitewright.app.runner import RunPorts
-from sitewright.building_model.as_built import InstallRecord, fold
 from sitewright.building_model.component import Layer
-from sitewright.building_model.formats.native import write_building
 from sitewright.building_model.model import BuildingModel
 from sitewright.central_controller.events import AnyEvent
 from sitewright.central_controller.ports import Answer, Approver, Question
 from sitewright.central_controller.proposing import Proposals
-from sitewright.central_controller.site_state import SiteState, site_of
+from sitewright.central_controller.site_state import site_of
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import ComponentId
 from sitewright.robot_team.driver import CellDriver
 from sitewright.robot_team.piece import Piece
 
 OnEvent = Callable[[AnyEvent], None]
-AS_BUILT = "as_built.json"
 
 
 def run_command(
@@ -130,38 +127,6 @@ def end_cell(driver: CellDriver) -> None:
     shutdown = getattr(driver, "shutdown", None)
     if shutdown is not None:
         shutdown()
-
-
-def write_as_built(model: BuildingModel, folder: Path, site: SiteState) -> None:
-    """Write the as-built model of a run: the design with all installed targets folded in."""
-    write_building(fold(model, install_records(site)), folder / AS_BUILT)
-
-
-def install_records(
-    site: SiteState, installed_at: Mapping[ComponentId, str] | None = None
-) -> list[InstallRecord]:
-    """Return what is known of each installed target.
-
-    Args:
-        site: The folded site.
-        installed_at: Time of installation, ISO 8601, where it is known.
-    """
-    times = installed_at or {}
-    return [
-        InstallRecord(
-            target=target,
-            material=placed.piece,
-            world_T_measured=placed.world_T_measured,
-            robot=placed.robot,
-            installed_at=times.get(target, ""),
-            operations={
-                o: "done" if o in site.done_operations else "open"
-                for o in site.operations.get(target, ())
-            },
-        )
-        for target in site.installed
-        if (placed := site.placed.get(target)) is not None
-    ]
 
 
 def has_targets(model: BuildingModel) -> bool:

@@ -3,26 +3,18 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from pathlib import Path
 
 from sitewright.app.clock import SystemClock
-from sitewright.app.execution import install_records
+from sitewright.app.installing import as_built_model, installed_times, iso_time
 from sitewright.app.project import Project, ProjectError
 from sitewright.app.run import fold_of, newest_run
-from sitewright.app.run_folder import RunFolder, chain_of, event_of
-from sitewright.building_model.as_built import fold
+from sitewright.app.run_folder import chain_of
 from sitewright.building_model.as_built_table import as_built_csv, status_by_source
 from sitewright.building_model.formats.native import write_building
 from sitewright.building_model.model import BuildingModel
-from sitewright.central_controller.events import ComponentInstalled
 from sitewright.central_controller.site_state import site_of
-from sitewright.foundation.ids import ComponentId
-from sitewright.journal.sqlite import read_records
-
-_NS = 1e9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,26 +31,26 @@ class Export:
     notes: tuple[str, ...] = ()
 
 
-def as_built_model(project: Project) -> BuildingModel:
+def as_built_now(project: Project) -> BuildingModel:
     """Return the design with everything folded in that the project's runs have built."""
     newest = newest_run(project.folder / "runs")
     if newest is None:
         return project.model
     chain = chain_of(newest)
     site = fold_of(chain, site_of(project.model))[0].site
-    return fold(project.model, install_records(site, _installed_at(chain)))
+    return as_built_model(project.model, site, installed_times(chain))
 
 
 def export_json(project: Project, out: Path) -> Export:
     """Write the as-built model in the native schema."""
-    model = as_built_model(project)
+    model = as_built_now(project)
     write_building(model, out)
     return Export(files=(out,), installed=_installed(model))
 
 
 def export_csv(project: Project, out: Path) -> Export:
     """Write a table of components, and `status.json` beside it if they have source ids."""
-    model = as_built_model(project)
+    model = as_built_now(project)
     out.write_text(as_built_csv(model, project.cell.world_T_model), encoding="utf-8")
     return Export(files=(out, *_status_file(project, model, out)), installed=_installed(model))
 
@@ -72,8 +64,8 @@ def export_ifc(project: Project, original: Path, out: Path) -> Export:
     """
     from sitewright.building_model.formats import ifc_export
 
-    model = as_built_model(project)
-    now = _iso(SystemClock().utc_ns())
+    model = as_built_now(project)
+    now = iso_time(SystemClock().utc_ns())
     patch = ifc_export.export_ifc(
         original, model, out, written_at=now, world_T_model=project.cell.world_T_model
     )
@@ -96,7 +88,7 @@ def export_rhino(project: Project, original: Path, out: Path) -> Export:
     """
     from sitewright.building_model.formats import rhino_export
 
-    model = as_built_model(project)
+    model = as_built_now(project)
     status = status_by_source(model, project.cell.world_T_model)
     copy = rhino_export.export_rhino(original, status, out)
     missing = (f"{i} is not in {original.name}; nothing was written of it." for i in copy.not_found)
@@ -141,17 +133,3 @@ def _status_file(project: Project, model: BuildingModel, beside: Path) -> tuple[
 
 def _installed(model: BuildingModel) -> int:
     return sum(c.as_built is not None for c in model.component_by_id.values())
-
-
-def _installed_at(chain: tuple[RunFolder, ...]) -> Mapping[ComponentId, str]:
-    times: dict[ComponentId, str] = {}
-    for folder in chain:
-        for record in read_records(folder.journal):
-            event = event_of(folder, record)
-            if isinstance(event, ComponentInstalled):
-                times[event.target] = _iso(record.t_utc_ns)
-    return times
-
-
-def _iso(utc_ns: int) -> str:
-    return datetime.fromtimestamp(utc_ns / _NS, tz=UTC).isoformat(timespec="seconds")

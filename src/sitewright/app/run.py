@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from sitewright.app.event_log import EventLog
+from sitewright.app.installing import installed_times
 from sitewright.app.locks import locked
 from sitewright.app.run_folder import (
     RunFolder,
@@ -95,8 +96,8 @@ def run_project(ports: RunPorts, options: RunOptions) -> RunResult:
                 return _result(newest, state, "Every component is installed; nothing to do.")
             folder = next_run_folder(options.runs)
             start = _start(options, folder, newest, head)
-            return _go_on(ports, folder, state, start, home=(*chain, folder)[0].path)
-        return _go_on(ports, newest, state, RunResumed(), home=chain[0].path)
+            return _go_on(ports, folder, state, start, chain=chain)
+        return _go_on(ports, newest, state, RunResumed(), chain=chain)
 
 
 def resolve(  # noqa: PLR0913 -- one line of the command line
@@ -157,14 +158,20 @@ def _start(
 
 
 def _go_on(
-    ports: RunPorts, folder: RunFolder, state: CycleState, first: AnyEvent, *, home: Path
+    ports: RunPorts,
+    folder: RunFolder,
+    state: CycleState,
+    first: AnyEvent,
+    *,
+    chain: tuple[RunFolder, ...],
 ) -> RunResult:
     folder.create()
+    times, home = installed_times(chain), (*chain, folder)[0].path
     with SqliteJournal(folder.journal) as journal:
         log = EventLog(folder, journal, clock=ports.clock, ids=ports.ids)
-        run = Run(ports, folder, log, state, home)
+        run = Run(ports, folder, log, state, home=home, installed_at=times)
         if state.site.installed:  # the file may be older than the journal
-            ports.write_as_built(folder.path, state.site)
+            run.write_as_built()
         try:
             run.record(first)
             run_to_stop(run, perform)

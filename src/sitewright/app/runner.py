@@ -14,6 +14,7 @@ from pathlib import Path
 
 from sitewright.app.cell_link import CellLink, CellLostError
 from sitewright.app.event_log import EventLog
+from sitewright.app.installing import InstalledAt, iso_time
 from sitewright.app.run_folder import RunFolder
 from sitewright.central_controller.commands import Command, Stop
 from sitewright.central_controller.cycle import folded, next_command
@@ -45,7 +46,8 @@ class RunPorts:
         connect: Opens the cell; gets the folder of the first run of the chain, so that a
             simulated cell lives as long as the building that stands in it.
         key: Seals approvals.
-        write_as_built: Called with the run's folder after each installed target.
+        write_as_built: Called after each installed target with the run's folder, the site, and
+            when each target was installed.
         final_figures: What the cell tells at the end of a run, for the report.
         on_event: Progress for people.
         end_cell: Ends the cell when the run is over; by default it lives on.
@@ -60,7 +62,7 @@ class RunPorts:
     clock: Clock
     ids: IdSource
     key: bytes
-    write_as_built: Callable[[Path, SiteState], None]
+    write_as_built: Callable[[Path, SiteState, InstalledAt], None]
     final_figures: Callable[[CellDriver], Mapping[str, Json]]
     pause: Callable[[float], None]
     on_event: Callable[[AnyEvent], None] = field(default=lambda _: None)
@@ -72,21 +74,44 @@ class Run:
     """An open run: its state, its journal and its connection to the cell."""
 
     def __init__(
-        self, ports: RunPorts, folder: RunFolder, log: EventLog, state: CycleState, home: Path
+        self,
+        ports: RunPorts,
+        folder: RunFolder,
+        log: EventLog,
+        state: CycleState,
+        *,
+        home: Path,
+        installed_at: InstalledAt,
     ) -> None:
-        """Open a run; `home` is the folder of the first run of its chain."""
+        """Open a run.
+
+        Args:
+            ports: Everything outside.
+            folder: The run's own folder.
+            log: Its journal.
+            state: What the chain of runs has come to.
+            home: Folder of the first run of the chain.
+            installed_at: When the targets were installed that stand already.
+        """
         self.ports, self.folder, self.state, self._home = ports, folder, state, home
+        self._installed_at = dict(installed_at)
         self._log = log
         self._link: CellLink | None = None
         self._proposal: tuple[str, Proposal] | None = None
 
     def record(self, event: AnyEvent) -> None:
         """Write an event down, then fold what was written."""
-        stored = self._log.append(event)
+        stamped = self._log.append(event)
+        stored = stamped.event
         self.state = folded(self.state, stored)
         self.ports.on_event(stored)
         if isinstance(stored, ComponentInstalled):
-            self.ports.write_as_built(self.folder.path, self.state.site)
+            self._installed_at[stored.target] = iso_time(stamped.at_utc_ns)
+            self.write_as_built()
+
+    def write_as_built(self) -> None:
+        """Write what stands now."""
+        self.ports.write_as_built(self.folder.path, self.state.site, self._installed_at)
 
     def connect(self) -> CellLink:
         """Open the connection to the cell anew."""
