@@ -13,6 +13,7 @@ from sitewright.planning_twin.motion import (
     JointPath,
     MotionRequest,
     PlanningBackends,
+    TeamPath,
 )
 from sitewright.planning_twin.refusal import BlockedBy, NoPath, NotClear
 from sitewright.planning_twin.scene import SceneSnapshot
@@ -44,7 +45,7 @@ class ScriptedPlanner:
 class ScriptedCertifier:
     answers: Iterator[bool]
 
-    def certify(self, scene: SceneSnapshot, path: JointPath) -> Certificate | NotClear:
+    def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
         if not next(self.answers):
             return UNCLEAR
         return Certificate(

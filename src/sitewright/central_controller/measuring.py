@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing_extensions import override
 
 from sitewright.foundation.clock import Clock
-from sitewright.planning_twin.motion import Certificate, Certifier, JointPath
+from sitewright.planning_twin.motion import Certificate, Certifier, JointPath, TeamPath
 from sitewright.planning_twin.refusal import NotClear
 from sitewright.planning_twin.scene import SceneSnapshot
 
@@ -51,7 +51,7 @@ class MeasuredCertifier(Certifier):
         self.spent_s = 0.0
 
     @override
-    def certify(self, scene: SceneSnapshot, path: JointPath) -> Certificate | NotClear:
+    def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
         start_ns = self._clock.monotonic_ns()
         try:
             return self._certifier.certify(scene, path)

@@ -49,11 +49,37 @@ class JointPath:
 
     def sha256(self) -> str:
         """Hash of robot, waypoints and thresholds."""
-        segments = [
-            (s.waypoints_rad, sorted((a, b, tau) for (a, b), tau in s.threshold_m.items()))
-            for s in self.segments
-        ]
-        return sha256_hex(canonical_json([self.robot, segments]))
+        return _path_hash(self.robot, self.segments)
+
+    @property
+    def robots(self) -> tuple[RobotId, ...]:
+        """Who moves."""
+        return (self.robot,)
+
+
+def _path_hash(who: str | tuple[str, ...], segments: tuple[PathSegment, ...]) -> str:
+    rows = [
+        (s.waypoints_rad, sorted((a, b, tau) for (a, b), tau in s.threshold_m.items()))
+        for s in segments
+    ]
+    return sha256_hex(canonical_json([who, rows]))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TeamPath:
+    """The path of several robots that move in step.
+
+    Attributes:
+        robots: Who moves.
+        segments: Their waypoints hold the joints of `robots`, one robot after the other.
+    """
+
+    robots: tuple[RobotId, ...]
+    segments: tuple[PathSegment, ...]
+
+    def sha256(self) -> str:
+        """Hash of robots, waypoints and thresholds."""
+        return _path_hash(self.robots, self.segments)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -205,7 +231,7 @@ class MotionPlanner(Protocol):
 class Certifier(Protocol):
     """Proves paths clear by conservative advancement."""
 
-    def certify(self, scene: SceneSnapshot, path: JointPath) -> Certificate | NotClear:
+    def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
         """Prove every segment of `path` in `scene`, whose other robots stand still."""
         ...
 

@@ -12,7 +12,8 @@ from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.layout import Indices
 from sitewright.planning_twin.backends.path_lines import Intervals, PathLines, equal_intervals
 from sitewright.planning_twin.backends.proof_scene import ProofScene
-from sitewright.planning_twin.motion import JointPath
+from sitewright.planning_twin.backends.team_pairs import tables_of
+from sitewright.planning_twin.motion import JointPath, TeamPath
 from sitewright.planning_twin.scene import Pair
 
 _FIRST_TRAVEL_M = 1.0
@@ -77,11 +78,15 @@ class Advancement:
     """
 
     def __init__(
-        self, proof: ProofScene, path: JointPath, lines: PathLines, engine: DistanceEngine
+        self,
+        proof: ProofScene,
+        path: JointPath | TeamPath,
+        lines: PathLines,
+        engine: DistanceEngine,
     ) -> None:
         self._proof, self._lines, self._engine = proof, lines, engine
-        self._robot = path.robot
-        self._table = proof.layout.pairs_of[path.robot]
+        self._robots = path.robots
+        self._table, _ = tables_of(proof.layout, path.robots)
         self._travel_m = np.abs(lines.change) @ self._table.weights.T
         taus = [self._table.thresholds(proof.clearance_m, s.threshold_m) for s in path.segments]
         declared = [self._table.is_declared(s.threshold_m) for s in path.segments]
@@ -135,7 +140,8 @@ class Advancement:
         return self._tau_m[line, asked.row], travel
 
     def _placed(self, intervals: Intervals) -> Array:
-        return self._proof.placed(self._robot, self._lines.at(intervals.line, intervals.middle))
+        q = self._lines.at(intervals.line, intervals.middle)
+        return self._proof.placed_together(self._robots, q)
 
     def _distances(self, placed: Array, posture: Indices, row: Indices) -> Array:
         self.evaluations += len(row)

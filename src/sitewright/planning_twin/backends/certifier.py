@@ -9,7 +9,8 @@ from sitewright.planning_twin.backends.advancement import Advancement, TooNear
 from sitewright.planning_twin.backends.distances import EPS_M, DistanceEngine, lower_bounds
 from sitewright.planning_twin.backends.path_lines import PathLines, lines_of
 from sitewright.planning_twin.backends.proof_scene import ProofScene, ProofScenes
-from sitewright.planning_twin.motion import Certificate, Certifier, JointPath
+from sitewright.planning_twin.backends.team_pairs import tables_of
+from sitewright.planning_twin.motion import Certificate, Certifier, JointPath, TeamPath
 from sitewright.planning_twin.refusal import NotClear
 from sitewright.planning_twin.scene import SceneSnapshot
 
@@ -34,7 +35,7 @@ class ConservativeAdvancement(Certifier):
         self._engine = DistanceEngine(is_strict=is_strict)
 
     @override
-    def certify(self, scene: SceneSnapshot, path: JointPath) -> Certificate | NotClear:
+    def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
         proof = self._scenes.of(scene)
         lines = lines_of(path)
         standing = self._standing_too_near(proof, path)
@@ -45,7 +46,7 @@ class ConservativeAdvancement(Certifier):
         if isinstance(found, TooNear):
             return _not_clear(lines, found)
         closest = search.closest()
-        table = proof.layout.pairs_of[path.robot]
+        moving, standing_pairs = tables_of(proof.layout, path.robots)
         return Certificate(
             scene_revision=self._scenes.revision(scene),
             path_sha256=path.sha256(),
@@ -54,13 +55,13 @@ class ConservativeAdvancement(Certifier):
             closest_pair=closest.pair,
             closest_at=closest.at,
             eps_m=EPS_M,
-            pairs=len(table.names) + len(proof.layout.standing_of[path.robot].names),
+            pairs=len(moving.names) + len(standing_pairs.names),
             evaluations=search.evaluations,
             engine=f"{self._engine.name}{', strict' if self._engine.is_strict else ''}",
         )
 
-    def _standing_too_near(self, proof: ProofScene, path: JointPath) -> NotClear | None:
-        table = proof.layout.standing_of[path.robot]
+    def _standing_too_near(self, proof: ProofScene, path: JointPath | TeamPath) -> NotClear | None:
+        _, table = tables_of(proof.layout, path.robots)
         placed = proof.world_T_part[None]
         rows = np.arange(len(table.a))
         first = np.zeros(len(rows), dtype=np.intp)

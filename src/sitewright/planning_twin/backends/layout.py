@@ -85,6 +85,7 @@ class Layout:
         rows_of: Rows of the parts that each robot carries, its base link included.
         pairs_of: Pairs that each robot's joints change.
         standing_of: Pairs that count and that its joints do not change.
+        teams: Both tables for robots that move in step, made when first asked for.
     """
 
     arms: Mapping[RobotId, ArmModel]
@@ -96,6 +97,7 @@ class Layout:
     joint_T_part_of: Mapping[RobotId, Array]
     pairs_of: Mapping[RobotId, PairTable]
     standing_of: Mapping[RobotId, PairTable]
+    teams: dict[tuple[RobotId, ...], tuple[PairTable, PairTable]] = field(default_factory=dict)
 
 
 def laid_out(scene: SceneSnapshot, arms: Mapping[RobotId, ArmModel]) -> Layout:

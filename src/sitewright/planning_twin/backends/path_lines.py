@@ -8,7 +8,7 @@ import numpy as np
 
 from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.layout import Indices
-from sitewright.planning_twin.motion import JointPath
+from sitewright.planning_twin.motion import JointPath, TeamPath
 
 _SAME_WAYPOINT_RAD = 1e-9
 
@@ -67,7 +67,7 @@ class Intervals:
         return Intervals(line=self.line[chosen], middle=self.middle[chosen], half=self.half[chosen])
 
 
-def lines_of(path: JointPath) -> PathLines:
+def lines_of(path: JointPath | TeamPath) -> PathLines:
     """Return the lines of a path; a path with a gap between its segments is a ValueError."""
     _require_unbroken(path)
     starts, ends, segments = [], [], []
@@ -88,15 +88,16 @@ def equal_intervals(pieces: Indices) -> Intervals:
     return Intervals(line=line, middle=(2.0 * number + 1.0) * half, half=half)
 
 
-def _require_unbroken(path: JointPath) -> None:
+def _require_unbroken(path: JointPath | TeamPath) -> None:
+    who = " and ".join(path.robots)
     for k, segment in enumerate(path.segments):
         if len(segment.waypoints_rad) < 2:  # noqa: PLR2004 - a line has two ends
-            raise ValueError(f"segment {k} of the path of {path.robot} has no line")
+            raise ValueError(f"segment {k} of the path of {who} has no line")
     for k, (a, b) in enumerate(zip(path.segments, path.segments[1:], strict=False)):
         pairs = zip(a.waypoints_rad[-1], b.waypoints_rad[0], strict=True)
         gap = max(abs(x - y) for x, y in pairs)
         if gap > _SAME_WAYPOINT_RAD:
             raise ValueError(
-                f"segment {k + 1} of the path of {path.robot} starts {gap:.2e} rad away from "
+                f"segment {k + 1} of the path of {who} starts {gap:.2e} rad away from "
                 "where the one before ends"
             )

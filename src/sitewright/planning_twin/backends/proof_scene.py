@@ -38,11 +38,19 @@ class ProofScene:
 
     def placed(self, robot: RobotId, q: Array) -> Array:
         """Return world_T_part for each posture (row) of one robot, m x n x 4 x 4."""
+        return self.placed_together((robot,), q)
+
+    def placed_together(self, robots: tuple[RobotId, ...], q: Array) -> Array:
+        """Return world_T_part for each row of postures of some robots, one after the other."""
         layout = self.layout
         out = np.repeat(self.world_T_part[None], len(q), axis=0)
-        frames = self.world_T_base[robot] @ layout.arms[robot].chain.frames(q)
-        carried_by = frames[:, layout.joints_of[robot]]
-        out[:, layout.rows_of[robot]] = carried_by @ layout.joint_T_part_of[robot]
+        first = 0
+        for robot in robots:
+            chain = layout.arms[robot].chain
+            frames = self.world_T_base[robot] @ chain.frames(q[:, first : first + chain.joints])
+            carried_by = frames[:, layout.joints_of[robot]]
+            out[:, layout.rows_of[robot]] = carried_by @ layout.joint_T_part_of[robot]
+            first += chain.joints
         return out
 
 
