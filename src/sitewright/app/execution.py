@@ -8,25 +8,29 @@ from functools import partial
 from pathlib import Path
 
 from sitewright.app.clock import SystemClock
+from sitewright.app.design_changes import keep_design, kept_design
 from sitewright.app.engines import identity_of, proposals_of
 from sitewright.app.ids import UuidSource
 from sitewright.app.installing import write_as_built
 from sitewright.app.planning import start_of
-from sitewright.app.project import Project, ProjectError
-from sitewright.app.run import RunOptions, RunResult, resolve, run_project
-from sitewright.app.run_folder import installation_key
+from sitewright.app.project import BUILDING, Project, ProjectError
+from sitewright.app.run import RunOptions, RunResult, fold_of, newest_run, resolve, run_project
+from sitewright.app.run_folder import chain_of, installation_key
 from sitewright.app.runner import RunPorts
 from sitewright.building_model.component import Layer
 from sitewright.building_model.model import BuildingModel
 from sitewright.central_controller.events import AnyEvent
 from sitewright.central_controller.ports import Answer, Approver, Question
 from sitewright.central_controller.proposing import Proposals
+from sitewright.central_controller.protection import protection_problems
 from sitewright.central_controller.site_state import site_of
+from sitewright.errors import ModelRejectedError
 from sitewright.foundation.canonical import Json
 from sitewright.robot_team.driver import CellDriver
 from sitewright.robot_team.piece import Piece
 
 OnEvent = Callable[[AnyEvent], None]
+_UNDO = "Undo that in building.json, or begin on an empty site: run --from-design."
 
 
 def run_command(
@@ -45,9 +49,13 @@ def run_command(
         from_design: Start on an empty site instead of going on.
 
     Raises:
+        ModelRejectedError: The design changed what stands already.
         LockedError: Another run has this project or this cell.
         BackendError: An engine or the cell broke.
     """
+    if not from_design:
+        require_standing(project)
+    keep_design(project.folder)
     proposals = proposals_of(project)
     clock = SystemClock()
     ports = RunPorts(
@@ -69,10 +77,29 @@ def run_command(
         runs=project.folder / "runs",
         design=site_of(project.model),
         hashes=identity_of(project, proposals.ports.domain.text),
+        pieces=frozenset(proposals.shapes),
         cell_lock=project.folder / "runs" / "cell.lock",
         from_design=from_design,
     )
     return run_project(ports, options)
+
+
+def require_standing(project: Project) -> None:
+    """Refuse a design that lacks or changes what the newest run has built by another one.
+
+    Raises:
+        ModelRejectedError: With a problem I1 for each such component.
+    """
+    newest = newest_run(project.folder / "runs")
+    if newest is None:
+        return
+    state, _ = fold_of(chain_of(newest), site_of(project.model))
+    old = kept_design(project.folder, state.model_sha256)
+    if old == project.model:
+        return
+    problems = protection_problems(old, project.model, state, _UNDO)
+    if problems:
+        raise ModelRejectedError(str(project.folder / BUILDING), problems)
 
 
 def resolve_command(

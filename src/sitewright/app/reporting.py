@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from sitewright.app.design_changes import project_at
 from sitewright.app.looking import graph_at
 from sitewright.app.project import Project
 from sitewright.app.run import fold_of, newest_run
@@ -55,6 +56,7 @@ def write_report(
         JournalError: Its journal cannot be trusted.
     """
     folder = _folder(project, run)
+    project = _as_designed_then(project, folder)
     before, after = _sites(project, folder)
     history = [
         Stamped(at_utc_ns=r.t_utc_ns, event=event_of(folder, r))
@@ -88,6 +90,12 @@ def _folder(project: Project, run: str | None) -> RunFolder:
     if run not in names:
         raise ExecutionError(f"There is no run {run!r} in {runs}.{did_you_mean(run, names)}")
     return RunFolder(runs / run)
+
+
+def _as_designed_then(project: Project, folder: RunFolder) -> Project:
+    """Return the project with the design that the run was about at its end."""
+    state, _ = fold_of(chain_of(folder), site_of(project.model))
+    return project_at(project, state.model_sha256)
 
 
 def _sites(project: Project, folder: RunFolder) -> tuple[SiteState, SiteState]:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from sitewright.app.design_changes import design_change, told
 from sitewright.app.event_log import EventLog
 from sitewright.app.installing import installed_times
 from sitewright.app.locks import locked
@@ -47,6 +48,7 @@ class RunOptions:
         runs: The project's ``runs`` folder.
         design: The empty site of the design (`site_of`).
         hashes: SHA-256 of model, cell, domain, and the software version, for the record.
+        pieces: Stock of the design; None if it is not known.
         cell_lock: Lock file of the cell; two runs must not command the same robots.
         from_design: Start on an empty site instead of continuing the newest run.
     """
@@ -56,6 +58,7 @@ class RunOptions:
     design: SiteState
     hashes: Mapping[str, str]
     cell_lock: Path
+    pieces: frozenset[ComponentId] | None = None
     from_design: bool = False
 
 
@@ -84,20 +87,23 @@ def run_project(ports: RunPorts, options: RunOptions) -> RunResult:
     """Begin, continue or resume the project's run and go on until it stops.
 
     An open run is resumed; else the newest is continued by a new one; a finished project has
-    nothing to do. Raises `LockedError` if another process is at it.
+    nothing to do. If the design is another one than before, the journal says so first, and the
+    open proposal is superseded. Raises `LockedError` if another process is at it.
     """
     refuse_network_folder(options.runs.parent)
     with _locked_project(options.runs), locked(options.cell_lock, "The cell"):
         newest = None if options.from_design else newest_run(options.runs)
         chain = chain_of(newest) if newest is not None else ()
         state, head = fold_of(chain, options.design)
+        change = design_change(state, options.hashes.get("model", ""), options.pieces)
+        news = told(state, change, ports.clock.utc_ns())
         if newest is None or state.finished is not None:
-            if newest is not None and state.site.is_complete:
+            if newest is not None and _folded(state, news).site.is_complete:
                 return _result(newest, state, "Every component is installed; nothing to do.")
             folder = next_run_folder(options.runs)
             start = _start(options, folder, newest, head)
-            return _go_on(ports, folder, state, start, chain=chain)
-        return _go_on(ports, newest, state, RunResumed(), chain=chain)
+            return _go_on(ports, folder, state, [start, *news], chain=chain)
+        return _go_on(ports, newest, state, [RunResumed(), *news], chain=chain)
 
 
 def resolve(  # noqa: PLR0913 -- one line of the command line
@@ -138,11 +144,14 @@ def newest_run(runs: Path) -> RunFolder | None:
 
 def fold_of(chain: tuple[RunFolder, ...], design: SiteState) -> tuple[CycleState, str]:
     """Return the state after all events of a chain of runs, and the last one's head as hex."""
-    state = CycleState(site=design)
     events, head = chain_events(chain)
+    return _folded(CycleState(site=design), events), head
+
+
+def _folded(state: CycleState, events: Sequence[AnyEvent]) -> CycleState:
     for event in events:
         state = folded(state, event)
-    return state, head
+    return state
 
 
 def _start(
@@ -161,7 +170,7 @@ def _go_on(
     ports: RunPorts,
     folder: RunFolder,
     state: CycleState,
-    first: AnyEvent,
+    first: Sequence[AnyEvent],
     *,
     chain: tuple[RunFolder, ...],
 ) -> RunResult:
@@ -173,7 +182,8 @@ def _go_on(
         if state.site.installed:  # the file may be older than the journal
             run.write_as_built()
         try:
-            run.record(first)
+            for event in first:
+                run.record(event)
             run_to_stop(run, perform)
             if run.state.finished is not None:
                 run.end_cell()

@@ -23,6 +23,7 @@ CODES: Mapping[str, str] = {
     "G5": "Two components that face each other miss each other by 1 to 5 mm.",
     "G6": "Geometry is degenerate: no size, flat, or nothing left after its cuts.",
     "G7": "Part of a foreign file cannot be taken over, or is not looked at.",
+    "I1": "What is installed or in work is missing in the new design, or changed there.",
     "I2": "A design holds an as-built record.",
     "K1": "A key is missing, unknown or of the wrong kind.",
     "K2": "A key stands twice in one object.",

@@ -33,6 +33,7 @@ from sitewright.central_controller.events import (
     ApprovalGiven,
     ApprovalRefused,
     ApprovalRejected,
+    DesignChanged,
     DeviationSeen,
     EpochOpened,
     LinkLost,
@@ -130,8 +131,9 @@ def folded(  # noqa: PLR0911 -- one line per kind of event
     """Return the state after an event."""
     state = replace(state, site=site_after(state.site, event))
     match event:
-        case RunStarted(run=run):
-            return CycleState(site=state.site, run=run)
+        case RunStarted(run=run, hashes=hashes):
+            known = state.model_sha256 or hashes.get("model", "")
+            return CycleState(site=state.site, run=run, model_sha256=known)
         case RunResumed():
             return _uncertain(
                 replace(state, held=None, replans={}, replan_times_utc_ns=(), link_losses=0)
@@ -166,6 +168,8 @@ def _after_other_event(  # noqa: C901, PLR0911, PLR0912 -- one line per kind of 
             return replace(state, proposal=event, done=0, approval=None, wish=None)
         case ProposalSuperseded():
             return _superseded(state, event)
+        case DesignChanged(model_sha256=digest):
+            return _redesigned(state, digest)
         case ApprovalGiven(approval=approval):
             return replace(state, approval=approval, why="")
         case ApprovalRefused(reason=reason):
@@ -207,3 +211,9 @@ def _superseded(state: CycleState, event: ProposalSuperseded) -> CycleState:
         replans={**state.replans, target: state.replans.get(target, 0) + 1},
         replan_times_utc_ns=(*state.replan_times_utc_ns, event.at_utc_ns),
     )
+
+
+def _redesigned(state: CycleState, digest: str) -> CycleState:
+    """Let go of everything that was planned of the old design, whoever approved it."""
+    state = replace(without_proposal(state), wish=None, refusals=(), refusal_codes=())
+    return replace(state, model_sha256=digest, replans={}, why="The design changed.")

@@ -58,6 +58,7 @@ class CycleState:
     """Everything that the next decision needs; a fold of the journal.
 
     Attributes:
+        model_sha256: Of the file of the design that the plans are made of.
         epoch: 0 while the cell is not connected.
         proposal: The open proposal; None when one must be made.
         done: Steps of the open proposal that are done.
@@ -75,6 +76,7 @@ class CycleState:
 
     site: SiteState
     run: RunId = _NO_RUN
+    model_sha256: str = ""
     epoch: int = 0
     proposal: ProposalMade | None = None
     done: int = 0

@@ -52,6 +52,25 @@ class RunResumed:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class DesignChanged:
+    """The building is another one from here on; a plan made of the old one is dead.
+
+    Attributes:
+        old_sha256: Of the design's file until now.
+        model_sha256: Of the design's file from now on.
+        reopened: Installed components that got new operations: they stand, but are not done.
+        gone: Pieces of stock that the design has no more; nobody misses them.
+    """
+
+    kind: ClassVar[str] = "design_changed"
+    version: ClassVar[int] = 1
+    old_sha256: str
+    model_sha256: str
+    reopened: tuple[ComponentId, ...] = ()
+    gone: tuple[ComponentId, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class EpochOpened:
     """The cell was (re)connected; commands of older epochs are refused by it."""
 
@@ -411,6 +430,7 @@ class RunFinished:
 AnyEvent = (
     RunStarted
     | RunResumed
+    | DesignChanged
     | EpochOpened
     | LinkLost
     | SiteObserved

@@ -12,6 +12,7 @@ from sitewright.central_controller.events import (
     ComponentInstalled,
     ComponentPositioned,
     ComponentStanding,
+    DesignChanged,
     DeviationSeen,
     OperationDone,
     RunStarted,
@@ -23,11 +24,15 @@ from sitewright.central_controller.site_state import PlacedPiece, SiteState
 from sitewright.foundation.ids import RobotId
 
 
-def site_after(site: SiteState, event: AnyEvent) -> SiteState:
+def site_after(  # noqa: PLR0911 -- one line per kind of event
+    site: SiteState, event: AnyEvent
+) -> SiteState:
     """Return the site after an event; events that are not about the site change nothing."""
     match event:
         case RunStarted():
             return replace(site, refused={}, rejections=())
+        case DesignChanged():
+            return _redesigned(site, event)
         case SiteObserved():
             return replace(site, sensed=merged(site.sensed, event))
         case DeviationSeen():
@@ -38,6 +43,21 @@ def site_after(site: SiteState, event: AnyEvent) -> SiteState:
             return replace(site, rejections=(*site.rejections, rejection))
         case _:
             return _after_component_event(site, event)
+
+
+def _redesigned(site: SiteState, event: DesignChanged) -> SiteState:
+    """Return the site under a new design: what stands stays, what was refused may go now."""
+    seen = site.sensed
+    if seen is not None:
+        poses = {p: pose for p, pose in seen.world_T_piece.items() if p not in event.gone}
+        seen = replace(seen, world_T_piece=poses)
+    return replace(
+        site,
+        serial=site.serial + 1,
+        sensed=seen,
+        installed=tuple(t for t in site.installed if t not in event.reopened),
+        refused={},
+    )
 
 
 def _after_component_event(site: SiteState, event: AnyEvent) -> SiteState:

@@ -9,6 +9,7 @@ from sitewright.central_controller.events import (
     AnyEvent,
     ApprovalRefused,
     ComponentInstalled,
+    DesignChanged,
     DeviationSeen,
     LinkLost,
     ProposalMade,
@@ -40,12 +41,20 @@ def _run_line(event: AnyEvent) -> str:
             return f"Run {run} continues {previous}." if previous else f"Run {run} begins."
         case RunResumed():
             return "The run goes on where it stopped."
+        case DesignChanged():
+            return _design_line(event)
         case RunHeld(reason=reason):
             return f"! {reason}"
         case RunFinished(is_complete=is_complete):
             return "Everything is installed." if is_complete else "Nothing more can be built."
         case _:
             return ""
+
+
+def _design_line(event: DesignChanged) -> str:
+    old, new = event.old_sha256[:8], event.model_sha256[:8]
+    again = f" New work on what stands: {', '.join(event.reopened)}." if event.reopened else ""
+    return f"The design changed ({old} -> {new}); plans are made anew.{again}"
 
 
 def _work_line(event: AnyEvent, labels: Labels) -> str:
