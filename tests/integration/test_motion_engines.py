@@ -18,7 +18,7 @@ from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.roboplan_search import RoboplanSearch
 from sitewright.planning_twin.backends.search_scene import SearchScenes
 from sitewright.planning_twin.backends.twin import make_backends
-from sitewright.planning_twin.free_motion import FreeMotion, plan_free_motion
+from sitewright.planning_twin.free_motion import plan_free_motion
 from sitewright.planning_twin.motion import (
     Agreement,
     Certificate,
@@ -70,13 +70,13 @@ def test_three_engines_agree_on_random_postures() -> None:
     search, cell = SearchScenes(proofs).of(touching, 0.0), MujocoCells(proofs).of(touching)
     standing = proofs.of(touching).layout.standing_of[A].names
     verdicts: Counter[tuple[bool, ...]] = Counter()
-    with search.without(standing):
-        for q in random_postures(400, seed=1):
-            verdicts[
-                bool(BACKENDS.collision.violations(touching, A, q, {})),
-                bool(search.roboplan.hasCollisions(search.posture(touching, {A: q}))),
-                any(d < 0.0 for _, d in cell.contacts(A, np.array(q))),
-            ] += 1
+    search.leave_out(standing)
+    for q in random_postures(400, seed=1):
+        verdicts[
+            bool(BACKENDS.collision.violations(touching, A, q, {})),
+            bool(search.roboplan.hasCollisions(search.posture(touching, {A: q}))),
+            any(d < 0.0 for _, d in cell.contacts(A, np.array(q))),
+        ] += 1
     assert set(verdicts) == {(True,) * 3, (False,) * 3}, verdicts
     assert min(verdicts.values()) > 30
 
@@ -92,11 +92,14 @@ def test_mujoco_sees_the_same_pairs_within_the_clearance() -> None:
 def test_found_paths_are_certified_timed_and_confirmed() -> None:
     for k, goal in enumerate(free_goals(5, seed=3)):
         motion = plan_free_motion(BACKENDS, SCENE, A, goal, {}, seed=k)
-        assert isinstance(motion, FreeMotion), motion
-        assert motion.segment.waypoints_rad[0] == HOME
-        assert motion.segment.waypoints_rad[-1] == goal
-        assert motion.certificate.closest_distance_m >= SCENE.clearance_m
-        opinion = BACKENDS.cross_check.check(SCENE, timed(motion.segment))
+        assert isinstance(motion, PathSegment), motion
+        assert motion.waypoints_rad[0] == HOME
+        assert motion.waypoints_rad[-1] == goal
+        path = JointPath(robot=A, segments=(motion,))
+        certificate = BACKENDS.certifier.certify(SCENE, path)
+        assert isinstance(certificate, Certificate), certificate
+        assert certificate.closest_distance_m >= SCENE.clearance_m
+        opinion = BACKENDS.cross_check.check(SCENE, timed(motion))
         assert isinstance(opinion, Agreement), opinion
         assert opinion.samples > 50
         assert opinion.engine.startswith("mujoco 4")
@@ -190,7 +193,7 @@ def test_an_end_between_clearance_and_pad_can_still_be_left(gap_m: float) -> Non
     beyond = tip_pose(kr120(), HOME) @ translation(0.0, 0.0, 0.1 + gap_m + 0.01)
     scene = one_arm(probe, box("wall", (0.02, 0.02, 0.02), beyond))
     found = plan_free_motion(BACKENDS, scene, A, (0.6, *HOME[1:]), {}, seed=0)
-    assert isinstance(found, FreeMotion), found
+    assert isinstance(found, PathSegment), found
 
 
 def test_mujoco_refuses_what_was_never_certified() -> None:
@@ -234,12 +237,12 @@ def test_scenes_with_moved_bodies_and_postures_are_not_confused() -> None:
         search, cell = searches.of(scene, 0.0), cells.of(scene)
         standing = proofs.of(scene).layout.standing_of[A].names
         row = []
-        with search.without(standing):
-            for q in random_postures(60, seed=8):
-                hit = bool(search.roboplan.hasCollisions(search.posture(scene, {A: q})))
-                seen = any(d < 0.0 and p not in standing for p, d in cell.contacts(A, np.array(q)))
-                assert hit == seen
-                row.append(hit)
+        search.leave_out(standing)
+        for q in random_postures(60, seed=8):
+            hit = bool(search.roboplan.hasCollisions(search.posture(scene, {A: q})))
+            seen = any(d < 0.0 and p not in standing for p, d in cell.contacts(A, np.array(q)))
+            assert hit == seen
+            row.append(hit)
         answers.append(row)
     assert answers[0] == answers[2] != answers[1]
 
@@ -252,5 +255,6 @@ def test_a_certificate_holds_for_the_path_that_was_planned_with_contacts() -> No
     goal = free_goals(1, seed=12)[0]
     contacts = {("nailer", "plank"): -0.05}
     motion = plan_free_motion(BACKENDS, scene, A, goal, contacts, seed=0)
-    assert isinstance(motion, FreeMotion), motion
-    assert isinstance(motion.certificate, Certificate)
+    assert isinstance(motion, PathSegment), motion
+    path = JointPath(robot=A, segments=(motion,))
+    assert isinstance(BACKENDS.certifier.certify(scene, path), Certificate)

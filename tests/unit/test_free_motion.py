@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 from typing import Any, cast
 
 from motion_scenes import HOME, A, one_arm
-from sitewright.planning_twin.free_motion import FreeMotion, plan_free_motion
+from sitewright.planning_twin.free_motion import plan_free_motion
 from sitewright.planning_twin.motion import (
     Certificate,
     JointPath,
     MotionRequest,
+    PathSegment,
     PlanningBackends,
     TeamPath,
 )
@@ -46,20 +47,12 @@ class ScriptedCertifier:
     answers: Iterator[bool]
 
     def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
-        if not next(self.answers):
-            return UNCLEAR
-        return Certificate(
-            scene_revision=scene.revision(),
-            path_sha256=path.sha256(),
-            clearance_m=scene.clearance_m,
-            closest_distance_m=0.02,
-            closest_pair=None,
-            closest_at=(0, 0.0),
-            eps_m=1e-5,
-            pairs=1,
-            evaluations=1,
-            engine="scripted",
-        )
+        raise NotImplementedError
+
+    def objection(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> NotClear | None:
+        assert isinstance(path, JointPath)
+        assert scene.robots[A].q_rad == path.start_rad
+        return None if next(self.answers) else UNCLEAR
 
 
 def run(
@@ -86,22 +79,22 @@ def no_path(nodes: int) -> NoPath:
 
 def test_a_path_that_is_proven_at_once_is_taken() -> None:
     found, planner = run([LINE], [True])
-    assert isinstance(found, FreeMotion)
-    assert found.segment.waypoints_rad == LINE
-    assert found.segment.threshold_m == {("gripper", "stud"): -0.001}
+    assert isinstance(found, PathSegment)
+    assert found.waypoints_rad == LINE
+    assert found.threshold_m == {("gripper", "stud"): -0.001}
     assert len(planner.asked) == 1
 
 
 def test_after_a_failed_proof_the_unshortened_path_the_next_seed_and_finer_steps_follow() -> None:
     found, planner = run([LINE] * 4, [False, False, False, True])
-    assert isinstance(found, FreeMotion)
+    assert isinstance(found, PathSegment)
     tried = [(r.is_shortcut, seed, r.step_rad) for r, seed in planner.asked]
     assert tried == [(True, 7, 0.02), (False, 7, 0.02), (True, 8, 0.02), (True, 7, 0.01)]
 
 
 def test_a_search_out_of_nodes_is_repeated_once_with_more() -> None:
     found, planner = run([no_path(100), LINE], [True])
-    assert isinstance(found, FreeMotion)
+    assert isinstance(found, PathSegment)
     assert [r.max_nodes for r, _ in planner.asked] == [100, 600]
 
 

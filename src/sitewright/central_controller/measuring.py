@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from typing_extensions import override
@@ -52,8 +54,18 @@ class MeasuredCertifier(Certifier):
 
     @override
     def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
+        with self._measured():
+            return self._certifier.certify(scene, path)
+
+    @override
+    def objection(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> NotClear | None:
+        with self._measured():
+            return self._certifier.objection(scene, path)
+
+    @contextmanager
+    def _measured(self) -> Iterator[None]:
         start_ns = self._clock.monotonic_ns()
         try:
-            return self._certifier.certify(scene, path)
+            yield
         finally:
             self.spent_s += (self._clock.monotonic_ns() - start_ns) / _NS

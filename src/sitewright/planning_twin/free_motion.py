@@ -1,13 +1,12 @@
-"""Free motion that holds its certificate: search, proof, and what to try when the proof fails."""
+"""Free motion that holds its proof: search, proof, and what to try when the proof fails."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.motion import (
-    Certificate,
     JointPath,
     MotionRequest,
     PathSegment,
@@ -23,18 +22,6 @@ _FINE_STEP_RAD = 0.01
 _SEED_STEP = 1
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FreeMotion:
-    """A free path with its proof.
-
-    Attributes:
-        certificate: Of this segment alone; a longer path needs one of its own.
-    """
-
-    segment: PathSegment
-    certificate: Certificate
-
-
 def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts, budget
     backends: PlanningBackends,
     scene: SceneSnapshot,
@@ -44,8 +31,8 @@ def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts
     *,
     seed: int,
     max_nodes: int = FIRST_NODES,
-) -> FreeMotion | BlockedBy | NoPath | NotClear:
-    """Return a certified path from the robot's posture in `scene` to a goal posture.
+) -> PathSegment | BlockedBy | NoPath | NotClear:
+    """Return a path that holds a proof, from the robot's posture in `scene` to a goal posture.
 
     A path that the proof refuses is tried again before it was shortened, then from another
     seed, then with finer steps; a search that runs out of nodes once with six times as many.
@@ -61,8 +48,8 @@ def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts
         max_nodes: First budget of the search.
 
     Returns:
-        The path, the pairs that block start or goal, an exhausted search, or the last proof's
-        objection.
+        The path, whose certificate is still to be made; or the pairs that block start or goal, an
+        exhausted search, or the last proof's objection.
     """
     request = MotionRequest(
         robot=robot, goal_rad=goal_rad, threshold_m=threshold_m, max_nodes=max_nodes
@@ -81,10 +68,11 @@ def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts
             if not found.is_reproducible:
                 return refusal
             continue
-        motion = _proven(backends, scene, attempt, found)
-        if isinstance(motion, FreeMotion):
-            return motion
-        refusal = motion
+        segment = PathSegment(waypoints_rad=found, threshold_m=dict(threshold_m))
+        path = JointPath(robot=robot, segments=(segment,))
+        refusal = backends.certifier.objection(scene, path)
+        if refusal is None:
+            return segment
     if refusal is None:
         return NoPath(nodes=max_nodes, seeds=(seed,), reason="nothing was tried")
     return refusal
@@ -99,17 +87,3 @@ def _attempts(request: MotionRequest, seed: int) -> Iterator[tuple[MotionRequest
     yield replace(request, step_rad=_FINE_STEP_RAD), seed
     yield many, seed
     yield replace(many, step_rad=_FINE_STEP_RAD, is_shortcut=False), seed + _SEED_STEP
-
-
-def _proven(
-    backends: PlanningBackends,
-    scene: SceneSnapshot,
-    request: MotionRequest,
-    waypoints_rad: tuple[Joints, ...],
-) -> FreeMotion | NotClear:
-    segment = PathSegment(waypoints_rad=waypoints_rad, threshold_m=dict(request.threshold_m))
-    path = JointPath(robot=request.robot, segments=(segment,))
-    certificate = backends.certifier.certify(scene, path)
-    if isinstance(certificate, NotClear):
-        return certificate
-    return FreeMotion(segment=segment, certificate=certificate)

@@ -9,7 +9,7 @@ from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.planning_twin.approach import Approach, Approaches, Reaching, straight_approach
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import Jobsite, scene_of, with_aperture
-from sitewright.planning_twin.motion import Certificate, JointPath, PathSegment
+from sitewright.planning_twin.motion import JointPath, PathSegment
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.planning_twin.scene import Attachment, SceneSnapshot
 from sitewright.planning_twin.task import UP, TwinContext
@@ -118,7 +118,7 @@ def is_proven(reaching: Reaching, segments: tuple[PathSegment, ...]) -> bool:
     """Tell whether straight lines hold their certificate in the scene of a trial."""
     path = JointPath(robot=reaching.robot, segments=segments)
     scene = reaching.scene.with_joints(reaching.robot, path.start_rad)
-    return isinstance(reaching.backends.certifier.certify(scene, path), Certificate)
+    return reaching.backends.certifier.objection(scene, path) is None
 
 
 def alone(scene: SceneSnapshot, robot: RobotId) -> SceneSnapshot:

@@ -127,9 +127,8 @@ def _too_far(
     if context.site.arms[robot.id].held != piece:
         ends["the piece"] = context.site.world_T_piece[piece]
     for name, world_T_piece in ends.items():
-        far = [_proof_of_far(context, robot, tool, world_T_piece, g) for g in candidates]
-        proofs = [f for f in far if f is not None]
-        if candidates and len(proofs) == len(candidates):
+        proofs = _proofs_of_far(context, robot, tool, world_T_piece, candidates)
+        if proofs:
             least = min(p.extension_m for p in proofs)
             by = f" by {least * 1000:.0f} mm" if least > 0.0 else ""
             return NoGrasp(
@@ -139,6 +138,23 @@ def _too_far(
                 reason=f"{name} is out of reach{by} with every grasp (proven)",
             )
     return None
+
+
+def _proofs_of_far(
+    context: TwinContext,
+    robot: Robot,
+    tool: EndEffector,
+    world_T_piece: Pose,
+    candidates: list[Grasp],
+) -> list[NoIk]:
+    """Return the proof for each grasp, or nothing as soon as one grasp has none."""
+    proofs: list[NoIk] = []
+    for grasp in candidates:
+        proof = _proof_of_far(context, robot, tool, world_T_piece, grasp)
+        if proof is None:
+            return []
+        proofs.append(proof)
+    return proofs
 
 
 def _proof_of_far(

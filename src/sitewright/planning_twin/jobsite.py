@@ -66,10 +66,22 @@ class Jobsite:
     docked: Mapping[EndEffectorId, StationId] = field(default_factory=dict)
     obstacles: Mapping[ComponentId, tuple[Shape, Pose]] = field(default_factory=dict)
     steadied: Mapping[ComponentId, RobotId] = field(default_factory=dict)
+    _scene: SceneSnapshot | None = field(default=None, init=False, repr=False, compare=False)
 
 
 def scene_of(site: Jobsite) -> SceneSnapshot:
-    """Return the scene with all materials, installed components, zones, tools and robots."""
+    """Return the scene with all materials, installed components, zones, tools and robots.
+
+    A site never changes, so the scene is made once: engines know it again by its identity.
+    """
+    scene = site._scene  # noqa: SLF001 - remembered on the site itself
+    if scene is None:
+        scene = _made_scene(site)
+        object.__setattr__(site, "_scene", scene)
+    return scene
+
+
+def _made_scene(site: Jobsite) -> SceneSnapshot:
     cell = site.cell
     robots = {
         robot.id: RobotInScene(

@@ -235,6 +235,10 @@ class Certifier(Protocol):
         """Prove every segment of `path` in `scene`, whose other robots stand still."""
         ...
 
+    def objection(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> NotClear | None:
+        """Return what the proof would object to; quicker than a certificate, and none."""
+        ...
+
 
 class Timer(Protocol):
     """Times a path without leaving it."""

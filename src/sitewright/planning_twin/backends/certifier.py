@@ -37,14 +37,9 @@ class ConservativeAdvancement(Certifier):
     @override
     def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
         proof = self._scenes.of(scene)
-        lines = lines_of(path)
-        standing = self._standing_too_near(proof, path)
-        if standing is not None:
-            return standing
-        search = Advancement(proof, path, lines, self._engine)
-        found = search.prove()
-        if isinstance(found, TooNear):
-            return _not_clear(lines, found)
+        search = self._proven(proof, path)
+        if isinstance(search, NotClear):
+            return search
         closest = search.closest()
         moving, standing_pairs = tables_of(proof.layout, path.robots)
         return Certificate(
@@ -59,6 +54,20 @@ class ConservativeAdvancement(Certifier):
             evaluations=search.evaluations,
             engine=f"{self._engine.name}{', strict' if self._engine.is_strict else ''}",
         )
+
+    @override
+    def objection(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> NotClear | None:
+        found = self._proven(self._scenes.of(scene), path)
+        return found if isinstance(found, NotClear) else None
+
+    def _proven(self, proof: ProofScene, path: JointPath | TeamPath) -> Advancement | NotClear:
+        lines = lines_of(path)
+        standing = self._standing_too_near(proof, path)
+        if standing is not None:
+            return standing
+        search = Advancement(proof, path, lines, self._engine)
+        found = search.prove()
+        return _not_clear(lines, found) if isinstance(found, TooNear) else search
 
     def _standing_too_near(self, proof: ProofScene, path: JointPath | TeamPath) -> NotClear | None:
         _, table = tables_of(proof.layout, path.robots)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -45,6 +45,7 @@ class MujocoCell:
         self.model: Any = writer.spec.compile()
         self.data: Any = mujoco.MjData(self.model)
         self.name_by_body = {self.model.body(n).id: n for n in writer.names}
+        self._body_by_name = {n: i for i, n in self.name_by_body.items()}
         self._address_of = {
             robot: [int(self.model.joint(j).qposadr[0]) for j in joints]
             for robot, joints in writer.joints_of.items()
@@ -60,16 +61,39 @@ class MujocoCell:
         for robot, state in scene.robots.items():
             self.data.qpos[self._address_of[robot]] = state.q_rad
 
-    def contacts(self, robot: RobotId, q: Array) -> Iterator[tuple[Pair, float]]:
-        """Yield the pairs within the margin at a posture of one robot, and their distances."""
+    def touching(self, robot: RobotId, q: Array) -> tuple[Array, Array] | None:
+        """Return what is within the margin at a posture of one robot; None if nothing is.
+
+        Returns:
+            Body numbers, n x 2, and distances in metres, n.
+        """
         self.data.qpos[self._address_of[robot]] = q
         self._mujoco.mj_kinematics(self.model, self.data)
         self._mujoco.mj_collision(self.model, self.data)
-        if self.data.ncon:
-            bodies = self.model.geom_bodyid[self.data.contact.geom]
-            distances = self.data.contact.dist
-            for (a, b), distance_m in zip(bodies.tolist(), distances.tolist(), strict=True):
-                yield pair_of(self.name_by_body[a], self.name_by_body[b]), distance_m
+        if not self.data.ncon:
+            return None
+        contact = self.data.contact
+        return self.model.geom_bodyid[contact.geom], np.array(contact.dist)
+
+    def contacts(self, robot: RobotId, q: Array) -> Iterator[tuple[Pair, float]]:
+        """Yield the pairs within the margin at a posture of one robot, and their distances."""
+        found = self.touching(robot, q)
+        if found is not None:
+            for (a, b), distance_m in zip(*(f.tolist() for f in found), strict=True):
+                yield self.pair(a, b), distance_m
+
+    def pair(self, a: int, b: int) -> Pair:
+        """Return the names of two bodies."""
+        return pair_of(self.name_by_body[a], self.name_by_body[b])
+
+    def table(self, values: Mapping[Pair, float], *, otherwise: float) -> Array:
+        """Return a value for each pair of body numbers, n x n, symmetric."""
+        table = np.full((self.model.nbody, self.model.nbody), otherwise)
+        for (one, other), value in values.items():
+            a, b = self._body_by_name.get(one), self._body_by_name.get(other)
+            if a is not None and b is not None:
+                table[a, b] = table[b, a] = value
+        return table
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from typing_extensions import override
 
+from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.backends.certifier import STANDING_SHARE
-from sitewright.planning_twin.backends.mujoco_cell import MujocoCells
+from sitewright.planning_twin.backends.kinematic_chain import Array
+from sitewright.planning_twin.backends.mujoco_cell import MujocoCell, MujocoCells
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.trajectory_samples import positions_at, sample_times
 from sitewright.planning_twin.motion import Agreement, CrossCheck, TimedPath
@@ -34,28 +38,70 @@ class MujocoCrossCheck(CrossCheck):
 
         cell = self._cells.of(scene)
         robot = timed.path.robot
-        standing = frozenset(self._proofs.of(scene).layout.standing_of[robot].names)
         times = sample_times(timed.trajectory, step_s=_STEP_S, step_rad=_STEP_RAD)
         postures = positions_at(timed.trajectory, times)
-        segments = np.minimum(
-            np.searchsorted(np.array(timed.segment_ends_s), times, side="left"),
-            len(timed.path.segments) - 1,
-        )
+        seen = _seen(cell, robot, postures)
         closest_m = cell.margin_m
-        for segment, q in zip(segments.tolist(), postures, strict=True):
-            declared_m = timed.path.segments[segment].threshold_m
-            for pair, distance_m in cell.contacts(robot, q):
-                share = STANDING_SHARE if pair in standing else 1.0
-                tau_m = declared_m.get(pair, share * scene.clearance_m)
-                if distance_m < tau_m:
-                    return Disagreement(
-                        pair=pair,
-                        q_rad=tuple(q.tolist()),
-                        distance_m=distance_m,
-                        threshold_m=tau_m,
-                    )
-                if pair not in declared_m and pair not in standing:
-                    closest_m = min(closest_m, distance_m)
+        if seen is not None:
+            segments = np.minimum(
+                np.searchsorted(np.array(timed.segment_ends_s), times, side="left"),
+                len(timed.path.segments) - 1,
+            )
+            limits = self._limits(scene, timed, cell)
+            a, b = seen.bodies.T
+            tau_m = limits.tau_m[segments[seen.sample], a, b]
+            too_near = np.flatnonzero(seen.distance_m < tau_m)
+            if len(too_near):
+                k = int(too_near[0])
+                return Disagreement(
+                    pair=cell.pair(int(a[k]), int(b[k])),
+                    q_rad=tuple(postures[seen.sample[k]].tolist()),
+                    distance_m=float(seen.distance_m[k]),
+                    threshold_m=float(tau_m[k]),
+                )
+            telling = limits.is_telling[segments[seen.sample], a, b] > 0.0
+            closest_m = float(seen.distance_m[telling].min(initial=closest_m))
         return Agreement(
             samples=len(times), closest_distance_m=closest_m, engine=f"mujoco {mujoco.__version__}"
         )
+
+    def _limits(self, scene: SceneSnapshot, timed: TimedPath, cell: MujocoCell) -> _Limits:
+        clearance_m = scene.clearance_m
+        names = self._proofs.of(scene).layout.standing_of[timed.path.robot].names
+        share_m = dict.fromkeys(names, STANDING_SHARE * clearance_m)
+        quiet = dict.fromkeys(names, 0.0)
+        declared = [s.threshold_m for s in timed.path.segments]
+        return _Limits(
+            tau_m=np.array([cell.table({**share_m, **d}, otherwise=clearance_m) for d in declared]),
+            is_telling=np.array(
+                [cell.table({**quiet, **dict.fromkeys(d, 0.0)}, otherwise=1.0) for d in declared]
+            ),
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Limits:
+    """Per segment and pair of bodies: the threshold, and 1 where the distance is read out."""
+
+    tau_m: Array
+    is_telling: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Seen:
+    """Everything that came within the margin: at which sample, who, how near."""
+
+    sample: Array
+    bodies: Array
+    distance_m: Array
+
+
+def _seen(cell: MujocoCell, robot: RobotId, postures: Array) -> _Seen | None:
+    found = [(n, near) for n, q in enumerate(postures) if (near := cell.touching(robot, q))]
+    if not found:
+        return None
+    return _Seen(
+        sample=np.repeat([n for n, _ in found], [len(near[1]) for _, near in found]),
+        bodies=np.concatenate([near[0] for _, near in found]),
+        distance_m=np.concatenate([near[1] for _, near in found]),
+    )

@@ -57,10 +57,10 @@ class RoboplanSearch(MotionPlanner):
         search = self._scenes.of(scene, pad_m)
         standing = self._proofs.of(scene).layout.standing_of[request.robot].names
         declared = [p for p, tau in request.threshold_m.items() if tau < scene.clearance_m]
-        with search.without({*standing, *declared}):
-            near = self._near_an_end(scene, search, request, pad_m)
-        with search.without({*standing, *declared, *near}):
-            return self._path(search, request, ends, seed)
+        search.leave_out({*standing, *declared})
+        near = self._near_an_end(scene, search, request, pad_m)
+        search.leave_out({*standing, *declared, *near})
+        return self._path(search, request, ends, seed)
 
     def _near_an_end(
         self, scene: SceneSnapshot, search: SearchScene, request: MotionRequest, pad_m: float

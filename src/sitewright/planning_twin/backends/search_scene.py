@@ -5,7 +5,6 @@ from __future__ import annotations
 import tempfile
 from collections import OrderedDict
 from collections.abc import Hashable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -50,7 +49,9 @@ class SearchScene:
         for robot, joints in self._robots.joints_of.items():
             self.roboplan.addGroup(robot, list(joints))
         self._order = list(self.roboplan.getJointNames())
-        self._allow_uncounted(set(counted))
+        self._counted = frozenset(counted)
+        self._left_out: frozenset[Pair] = frozenset()
+        self._allow_uncounted()
 
     def place(self, scene: SceneSnapshot) -> None:
         """Put all boxes and postures where a snapshot has them."""
@@ -76,17 +77,14 @@ class SearchScene:
         """Return roboplan's names of a robot's joints."""
         return list(self._robots.joints_of[robot])
 
-    @contextmanager
-    def without(self, pairs: Iterable[Pair]) -> Iterator[None]:
-        """Leave pairs out of the checks for a while."""
-        names = [n for pair in pairs for n in self._roboplan_pairs(pair)]
-        if names:
-            self.roboplan.setCollisions(names, False)  # noqa: FBT003
-        try:
-            yield
-        finally:
-            if names:
-                self.roboplan.setCollisions(names, True)  # noqa: FBT003
+    def leave_out(self, pairs: Iterable[Pair]) -> None:
+        """Leave exactly these pairs out of the checks from now on."""
+        wanted = self._counted.intersection(pairs)
+        changes = {False: wanted - self._left_out, True: self._left_out - wanted}
+        for is_on, changed in changes.items():
+            if names := [n for pair in sorted(changed) for n in self._roboplan_pairs(pair)]:
+                self.roboplan.setCollisions(names, is_on)
+        self._left_out = wanted
 
     def _added(self, body: Body, pad_m: float) -> Iterator[tuple[str, Array]]:
         from roboplan.core import Box as RoboplanBox
@@ -115,12 +113,12 @@ class SearchScene:
         a, b = pair
         return [(x, y) for x in self._objects(a) for y in self._objects(b)]
 
-    def _allow_uncounted(self, counted: set[Pair]) -> None:
+    def _allow_uncounted(self) -> None:
         names = [*self._parts_of, *self._robots.link_by_name]
         off = [
             names_of
             for a, b in combinations(names, 2)
-            if pair_of(a, b) not in counted
+            if pair_of(a, b) not in self._counted
             for names_of in self._roboplan_pairs((a, b))
         ]
         own = [pair for name in names for pair in combinations(self._objects(name), 2)]

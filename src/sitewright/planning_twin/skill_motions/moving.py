@@ -9,7 +9,7 @@ from itertools import islice
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.approach import Approach, Approaches, Reaching, Touch
-from sitewright.planning_twin.free_motion import FreeMotion, plan_free_motion
+from sitewright.planning_twin.free_motion import plan_free_motion
 from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import (
     Certificate,
@@ -118,7 +118,7 @@ def _free_segments(
     found = plan_free_motion(
         stage.context.backends, scene, robot, goal_rad, resting, seed=stage.context.seed
     )
-    return (found.segment,) if isinstance(found, FreeMotion) else found
+    return (found,) if isinstance(found, PathSegment) else found
 
 
 def _with_resting(segment: PathSegment, resting: Mapping[Pair, float]) -> PathSegment:
@@ -151,12 +151,9 @@ def reach_any(
             free_m={**resting, **touch.free_m},
         )
         search = Approaches(reaching, declared, stage.q_rad(robot))
-        serving = list(islice((a for a in search if serves(reaching, a)), _MOST_POSTURES))
-        if not search.found:
-            refusals.append(search.why_not())
-        elif not serving:
-            refusals.append(NoIk(is_proven=False, reason="no posture serves what follows"))
-        for approach in serving:
+        serving = 0
+        for approach in islice((a for a in search if serves(reaching, a)), _MOST_POSTURES):
+            serving += 1
             motion = move_to(stage, robot, approach.pre_rad, approach.segments)
             if isinstance(motion, PlannedMotion):
                 return motion, approach
@@ -164,6 +161,10 @@ def reach_any(
             motions += 1
             if motions >= _MOST_MOTIONS:
                 return most_telling(refusals)
+        if not search.found:
+            refusals.append(search.why_not())
+        elif not serving:
+            refusals.append(NoIk(is_proven=False, reason="no posture serves what follows"))
     return most_telling(refusals)
 
 

@@ -19,6 +19,13 @@ def resting_contacts(stage: Stage, mover: RobotId) -> dict[Pair, float]:
     it lies on, a flange and a tool in its dock. They do not move, so they keep the threshold of
     a declared contact throughout.
     """
+    known = stage.resting_of.get(mover)
+    if known is None:
+        known = stage.resting_of[mover] = _found(stage, mover)
+    return dict(known)
+
+
+def _found(stage: Stage, mover: RobotId) -> dict[Pair, float]:
     scene = scene_of(stage.site)
     found: dict[Pair, float] = {}
     for robot, arm in stage.site.arms.items():

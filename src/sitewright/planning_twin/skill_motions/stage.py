@@ -28,12 +28,16 @@ class Stage:
     Attributes:
         upcoming: The calls after the one that is planned now.
         parking: Which parking posture a robot takes when it just has to go away.
+        resting_of: What was found to rest while a robot moves, remembered as long as the stage.
     """
 
     context: TwinContext
     study: Study
     upcoming: tuple[SkillCall, ...] = ()
     parking: Mapping[RobotId, int] = field(default_factory=dict)
+    resting_of: dict[RobotId, dict[Pair, float]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     @property
     def site(self) -> Jobsite:
