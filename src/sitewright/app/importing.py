@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
+from sitewright.app.import_records import IMPORTS, with_record
 from sitewright.app.project import BUILDING, CELL, ProjectError, example_folder
+from sitewright.building_model.component import Source
 from sitewright.building_model.formats.bar_frame import read_bar_frame
 from sitewright.building_model.formats.btlx import read_btlx
 from sitewright.building_model.formats.compas_assembly import read_compas_assembly
@@ -18,13 +21,17 @@ from sitewright.building_model.formats.detect import FileKind, kind_of, read_lim
 from sitewright.building_model.formats.from_neutral import model_of, targets_in
 from sitewright.building_model.formats.ifc import read_ifc
 from sitewright.building_model.formats.import_map import ImportMap, read_map
-from sitewright.building_model.formats.native import read_building, write_building
+from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.formats.neutral import NeutralFile
 from sitewright.building_model.formats.obj import read_obj
 from sitewright.building_model.formats.rhino import read_rhino
+from sitewright.building_model.formats.to_file import document_of
 from sitewright.building_model.inference.assembly import infer_assembly
 from sitewright.building_model.model import BuildingModel
 from sitewright.errors import BackendMissingError, Problem
+from sitewright.foundation.canonical import Json, sha256_hex
+from sitewright.foundation.json_layout import laid_out
+from sitewright.journal.blobs import write_whole
 
 REPAIRS = ("hull",)
 _CELL_EXAMPLE = "frame_house"
@@ -85,6 +92,8 @@ class ImportResult:
 def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> ImportResult:
     """Read a design of any known kind and write a project; nothing is left if that fails.
 
+    What was read is kept beside the building, so that a changed file can be merged into it.
+
     Args:
         file: The design; its kind is told by its content.
         out: Project folder; a building that is there already is not overwritten.
@@ -99,15 +108,15 @@ def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> 
     if (out / BUILDING).exists():
         raise ProjectError(f"{out} has a {BUILDING} already; name a new folder.")
     kind, model, problems = read_design(file, options)
+    model, kept = keeping_record(model, options)
     is_inferred = kind in _TIMBER_FRAMES
     if is_inferred:
         model, open_points = infer_assembly(model)
         problems = [*problems, *open_points]
-    out.mkdir(parents=True, exist_ok=True)
     has_new_cell = not (out / CELL).exists()
     if has_new_cell:
-        shutil.copy(example_folder(_CELL_EXAMPLE) / CELL, out / CELL)
-    write_building(model, out / BUILDING)
+        kept[CELL] = (example_folder(_CELL_EXAMPLE) / CELL).read_bytes()
+    write_project(out, {**kept, BUILDING: laid_out(document_of(model)).encode()})
     return ImportResult(
         folder=out,
         kind=str(kind),
@@ -116,6 +125,47 @@ def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> 
         has_new_cell=has_new_cell,
         is_inferred=is_inferred,
     )
+
+
+def keeping_record(
+    model: BuildingModel, options: ImportOptions
+) -> tuple[BuildingModel, dict[str, bytes]]:
+    """Return a model that names the record of its import, and the files to keep, by path."""
+    told: dict[str, Json] = {**asdict(options), "map_file": None}
+    kept: dict[str, bytes] = {}
+    if options.map_file is not None:
+        words = options.map_file.read_bytes()
+        path = f"{IMPORTS}/{sha256_hex(words)}.toml"
+        told["map_file"], kept[path] = path, words
+    model, record = with_record(model, told)
+    return model, {**kept, **record}
+
+
+def write_project(folder: Path, content: Mapping[str, bytes]) -> None:
+    """Write the files of a project, the last one last; a new folder is there whole or not at all.
+
+    Args:
+        folder: New, or with files of the user's, which stay.
+        content: What to write, by path in the folder.
+    """
+    if folder.exists():
+        _write_into(folder, content)
+        return
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    draft = folder.with_name(f".{folder.name}.{os.getpid()}.tmp")
+    try:
+        draft.mkdir()
+        _write_into(draft, content)
+        draft.rename(folder)
+    except BaseException:
+        shutil.rmtree(draft, ignore_errors=True)
+        raise
+
+
+def _write_into(folder: Path, content: Mapping[str, bytes]) -> None:
+    for path, data in content.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        write_whole(folder / path, data)
 
 
 def read_design(
@@ -131,7 +181,7 @@ def read_design(
     kind = kind_of(read_limited(file))
     _demand_extra(kind)
     if kind is FileKind.NATIVE:
-        return kind, read_building(file), []
+        return kind, _native(file), []
     if kind is FileKind.COMPAS_TIMBER:
         model, problems = import_compas_timber(file, options.unit)
         return kind, model, problems
@@ -147,6 +197,15 @@ def read_design(
     if kind is FileKind.BTLX:
         model = replace(model, relations=(*model.relations, *cut_joints(model)))
     return kind, model, problems
+
+
+def _native(file: Path) -> BuildingModel:
+    """Return a building with this file as its last source."""
+    model = read_building(file)
+    own = Source(
+        file=file.name, kind=str(FileKind.NATIVE), id="", sha256=sha256_hex(file.read_bytes())
+    )
+    return replace(model, sources=(*model.sources, own))
 
 
 def _reader(file: Path, kind: FileKind) -> Callable[[Path], NeutralFile]:

@@ -149,12 +149,21 @@ class Operation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Source:
-    """Where a component came from, for writing back."""
+    """Where a component came from, for writing back.
+
+    Attributes:
+        sha256: Of the file.
+        import_sha256: Of what was read of the file, kept under ``imports/`` of the project; this
+            and `options` stand only in the model's own list of sources.
+        options: How the file was taken, by name of the option.
+    """
 
     file: str
     kind: str
     id: str
     sha256: str = ""
+    import_sha256: str = ""
+    options: Mapping[str, Json] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

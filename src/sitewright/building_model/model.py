@@ -60,6 +60,7 @@ class BuildingModel:
         component_by_id: All components, in order of id. Material pieces of stacks are among
             them; their `world_T_component` is in the frame of the stock place.
         origin_shift_m: Shift taken off the source coordinates, restored on export.
+        raw: Facts of the source file as a whole, verbatim, e.g. ``survey``: where it lies on Earth.
         gravity: Direction and size of gravity in the model frame, m/s2.
     """
 
@@ -72,5 +73,6 @@ class BuildingModel:
     component_types: Mapping[str, Json] = field(default_factory=dict)
     rules: tuple[Mapping[str, Json], ...] = ()
     origin_shift_m: Vector = (0.0, 0.0, 0.0)
+    raw: Mapping[str, Json] = field(default_factory=dict)
     gravity: Vector = (0.0, 0.0, -9.81)
     ground_z_m: float = 0.0

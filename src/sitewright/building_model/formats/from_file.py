@@ -77,6 +77,7 @@ def model_from(file: BuildingFile) -> BuildingModel:
         component_types=dict(sorted(file.component_types.items())),
         rules=tuple(file.rules),
         origin_shift_m=file.origin_shift_m,
+        raw=file.raw,
         gravity=file.build.gravity,
         ground_z_m=file.build.ground_z_m,
     )
@@ -214,7 +215,14 @@ def _as_built(file: AsBuiltFile) -> AsBuilt:
 
 
 def _source(file: SourceFile) -> Source:
-    return Source(file=file.file, kind=file.kind, id=file.id, sha256=file.sha256)
+    return Source(
+        file=file.file,
+        kind=file.kind,
+        id=file.id,
+        sha256=file.sha256,
+        import_sha256=file.import_sha256,
+        options=file.options,
+    )
 
 
 def _ids(names: Iterable[str]) -> tuple[ComponentId, ...]:

@@ -132,6 +132,7 @@ def _model(
         stacks=stacks,
         sources=(_file_source(neutral, path),),
         origin_shift_m=scaling.shift_m,
+        raw=neutral.raw,
     )
 
 

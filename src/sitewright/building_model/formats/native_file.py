@@ -158,6 +158,8 @@ class SourceFile(FileModel):
     kind: Word
     id: Word = ""
     sha256: Word = ""
+    import_sha256: Annotated[str, Field(pattern=r"^([0-9a-f]{64})?$")] = ""
+    options: Free = {}
 
 
 class AsBuiltFile(FileModel):
@@ -270,6 +272,7 @@ class BuildingFile(FileModel):
     name: Word = ""
     sources: list[SourceFile] = []
     origin_shift_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    raw: Free = {}
     build: BuildFile = BuildFile()
     materials: dict[str, MaterialFile] = {}
     component_types: dict[str, Free] = {}

@@ -38,6 +38,7 @@ def document_of(model: BuildingModel) -> Document:
             name=model.name,
             sources=[_source(s) for s in model.sources],
             origin_shift_m=_plain(model.origin_shift_m) if any(model.origin_shift_m) else None,
+            raw=_sorted(model.raw),
         ),
         "build": {"gravity": _plain(model.gravity), "ground_z_m": _plain(model.ground_z_m)},
         **_kept(
@@ -184,7 +185,10 @@ def _as_built(a: AsBuilt) -> Document:
 
 
 def _source(s: Source) -> Document:
-    return {"file": s.file, "kind": s.kind, **_kept(id=s.id, sha256=s.sha256)}
+    kept = _kept(
+        id=s.id, sha256=s.sha256, import_sha256=s.import_sha256, options=_sorted(s.options)
+    )
+    return {"file": s.file, "kind": s.kind, **kept}
 
 
 def _pose(pose: Pose) -> Document:
