@@ -1,35 +1,90 @@
-"""A reader that misbehaves as its file's name says; run by the import tests as a child."""
+"""A reader that misbehaves as it is told; run by the import tests in a child process."""
 
 from __future__ import annotations
 
 import os
 import signal
+import socket
+import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
-from sitewright.building_model.formats.import_process import limit_own_resources
-
-
-def main(limits: str, path: str) -> None:
-    limit_own_resources(limits)
-    match Path(path).stem:
-        case "crash":
-            os.kill(os.getpid(), signal.SIGSEGV)
-        case "hang":
-            time.sleep(600)
-        case "memory":
-            sys.stdout.write(str(len(bytearray(8 * 1024**3))))
-        case "cpu":
-            while True:
-                pass
-        case "disk":
-            Path(path).with_suffix(".out").write_bytes(b"x" * 4 * 1024**2)
-        case "half":
-            sys.stdout.write('{"parts": [')
-        case _:
-            sys.stdout.write('{"answer": 42}')
+from sitewright.building_model.formats.detect import refused
 
 
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+def read(manner: str, path: str) -> Any:
+    return globals()[f"_{manner}"](Path(path))
+
+
+def _good(_: Path) -> Any:
+    return {"text": 42}
+
+
+def _crash(_: Path) -> Any:
+    os.kill(os.getpid(), signal.SIGSEGV)
+
+
+def _hang(_: Path) -> Any:
+    Path(f"/proc/{os.getpid()}/comm").write_text("hanging-reader")
+    time.sleep(600)
+
+
+def _deaf(_: Path) -> Any:
+    os.close(1)
+    os.close(2)
+    time.sleep(600)
+
+
+def _breed(_: Path) -> Any:
+    subprocess.Popen(["/bin/sleep", "600"])
+    return {"text": 42}
+
+
+def _memory(_: Path) -> Any:
+    return {"text": str(len(bytearray(8 * 1024**3)))}
+
+
+def _cpu(_: Path) -> Any:
+    while True:
+        pass
+
+
+def _disk(path: Path) -> Any:
+    path.write_bytes(b"x")
+    return {"text": 42}
+
+
+def _files(_: Path) -> Any:
+    return {"numbers": [os.open("/dev/null", os.O_RDONLY) for _ in range(1000)]}
+
+
+def _half(_: Path) -> Any:
+    os._exit(0)
+
+
+def _nan(_: Path) -> Any:
+    return {"number": float("inf")}
+
+
+def _talk(_: Path) -> Any:
+    return {"text": "x" * 2_000_000}
+
+
+def _print(_: Path) -> Any:
+    sys.stdout.write("a library says something")
+    os.write(1, b"and so does its C part")
+    return {"text": 42}
+
+
+def _refuse(path: Path) -> Any:
+    raise refused(path, "E3", "it is another kind.", "Take the right one.")
+
+
+def _network(_: Path) -> Any:
+    return {"interfaces": [name for _, name in socket.if_nameindex()]}
+
+
+def _where(_: Path) -> Any:
+    return {"folder": str(Path.cwd()), "path": sys.path}

@@ -11,10 +11,13 @@ from typing import Any
 import pytest
 
 from builders_ifc import STUD_MM, IfcDraft, wall_panel
+from sitewright.building_model.formats.detect import FileKind
+from sitewright.building_model.formats.foreign_files import read_foreign
 from sitewright.building_model.formats.ifc import read_ifc
-from sitewright.building_model.formats.ifc_reader import UnreadableError, read
+from sitewright.building_model.formats.ifc_reader import read
 from sitewright.building_model.formats.import_process import Limits
 from sitewright.building_model.formats.neutral import BoxSolid, ExtrusionSolid, NeutralFile
+from sitewright.building_model.formats.unreadable import UnreadableError
 from sitewright.errors import ModelRejectedError
 from sitewright.foundation.pose import Pose
 
@@ -23,7 +26,7 @@ L_SHAPE = [(0, 0), (400, 0), (400, 100), (100, 100), (100, 300), (0, 300)]
 
 def refusal(path: Path, limits: Limits | None = None) -> str:
     with pytest.raises(ModelRejectedError) as caught:
-        read_ifc(path, limits=limits)
+        read_foreign(path, FileKind.IFC, limits=limits)
     return str(caught.value)
 
 
@@ -348,8 +351,8 @@ def test_a_damaged_file_is_refused_with_the_damage_named(
     bad.write_bytes(panel_path.read_bytes().replace(old, new, 1))
     with pytest.raises(UnreadableError) as caught:
         read(str(bad))
-    assert said in caught.value.answer["message"]
-    assert caught.value.answer["code"] in {"E2", "E3"}
+    assert said in caught.value.message
+    assert caught.value.code in {"E2", "E3"}
 
 
 def _placement_circle(draft: IfcDraft) -> None:
@@ -381,8 +384,8 @@ def test_circles_are_named_and_crash_nothing(
     spoil(draft)
     with pytest.raises(UnreadableError) as caught:
         read(str(draft.write(tmp_path / "circle.ifc")))
-    assert caught.value.answer["code"] == "E2"
-    assert "goes in a circle" in caught.value.answer["message"]
+    assert caught.value.code == "E2"
+    assert "goes in a circle" in caught.value.message
 
 
 def test_an_attribute_of_a_wrong_kind_names_its_element(panel_path: Path, tmp_path: Path) -> None:
@@ -400,6 +403,10 @@ def test_an_attribute_of_a_wrong_kind_names_its_element(panel_path: Path, tmp_pa
 def test_whatever_ends_the_child_is_one_refusal(panel_path: Path) -> None:
     starved = Limits(memory_bytes=150 * 1024**2)
     assert "E2" in refusal(panel_path, starved)
+
+
+def test_a_child_process_reads_the_same_as_we_do(panel_path: Path, panel: NeutralFile) -> None:
+    assert read_foreign(panel_path, FileKind.IFC) == panel
 
 
 def test_two_elements_of_one_id_are_refused(tmp_path: Path) -> None:
@@ -432,9 +439,7 @@ def test_a_flat_solid_is_named_and_left_without_shape(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "content", [b"", b"version https://git-lfs.github.com/spec/v1\n", b"PK\3\4"]
 )
-def test_what_is_no_step_file_is_refused_before_any_child_starts(
-    content: bytes, tmp_path: Path
-) -> None:
+def test_what_is_no_step_file_is_refused(content: bytes, tmp_path: Path) -> None:
     path = tmp_path / "x.ifc"
     path.write_bytes(content)
     assert "problem" in refusal(path)

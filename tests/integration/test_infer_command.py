@@ -11,11 +11,11 @@ import pytest
 from sitewright.app.clock import SystemClock
 from sitewright.app.event_log import EventLog
 from sitewright.app.ids import UuidSource
+from sitewright.app.importing import ImportOptions, read_design
 from sitewright.app.inferring import BACKUP, infer_project
 from sitewright.app.locks import locked
 from sitewright.app.project import new_project
 from sitewright.app.run_folder import next_run_folder
-from sitewright.building_model.formats.compas_timber import import_compas_timber
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.inference.bodies import bodies_of
 from sitewright.building_model.inference.interfaces import interfaces_of
@@ -198,7 +198,8 @@ def test_contacts_of_the_frame_house_are_54_of_its_63_joints_and_none_on_blanks(
     shared_data: Path,
 ) -> None:
     pytest.importorskip("compas_timber", reason="needs the extra [timber]")
-    model, _ = import_compas_timber(shared_data / "timber" / "frame_house.json", "mm")
+    file = shared_data / "timber" / "frame_house.json"
+    _, model, _ = read_design(file, ImportOptions(unit="mm"))
     joined = {frozenset((r.a, r.b)) for r in model.relations}
     blanks = {i: replace(c, cuts=()) for i, c in model.component_by_id.items()}
     found = [frozenset((i.a, i.b)) for i in interfaces_of(bodies_of(model)[0])]

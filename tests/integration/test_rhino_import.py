@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 
 from builders_rhino import Drawing, brep_box, extrusion, instance, moved, outline
+from sitewright.building_model.formats.detect import FileKind
+from sitewright.building_model.formats.foreign_files import read_foreign
 from sitewright.building_model.formats.import_process import Limits
 from sitewright.building_model.formats.neutral import ExtrusionSolid, FacesSolid, NeutralPart
 from sitewright.building_model.formats.rhino import read_rhino
@@ -61,7 +63,7 @@ def is_closed(solid: FacesSolid) -> bool:
 
 def refusal(path: Path, limits: Limits | None = None) -> Problem:
     with pytest.raises(ModelRejectedError) as rejected:
-        read_rhino(path, limits=limits)
+        read_foreign(path, FileKind.RHINO, limits=limits)
     (problem,) = rejected.value.problems
     return problem
 
@@ -286,11 +288,16 @@ def test_changed_bytes_give_records_or_one_clear_refusal(
     changed = tmp_path / "changed.3dm"
     changed.write_bytes(content)
     try:
-        told = {"parts"} if read_rhino(changed).parts else set()
+        told = {"parts"} if read_foreign(changed, FileKind.RHINO).parts else set()
     except ModelRejectedError as error:
         told = {p.code for p in error.problems}
     assert len(told) == 1
     assert told <= {"parts", "D1", "E2", "E3", "E4"}
+
+
+def test_a_child_process_reads_the_same_as_we_do(shared_data: Path) -> None:
+    file = shared_data / "rhino" / "blocks.3dm"
+    assert read_foreign(file, FileKind.RHINO) == read_rhino(file)
 
 
 def test_a_reader_without_time_is_no_crash(shared_data: Path) -> None:

@@ -2,41 +2,168 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
+import psutil
 import pytest
 
-from sitewright.building_model.formats.import_process import ChildFailed, Limits, run_reader
+from sitewright.building_model.formats.import_process import (
+    ChildFailed,
+    Limits,
+    answer_about,
+    run_child,
+)
+from sitewright.errors import ModelRejectedError
 
 SMALL = Limits(memory_bytes=1024**3, cpu_s=1, wall_s=20.0)
+READER = "crashing_reader:read"
 
 
-def test_a_good_reader_is_heard(tmp_path: Path) -> None:
-    assert run_reader("crashing_reader", tmp_path / "good", SMALL) == {"answer": 42}
+def said(manner: str, path: Path = Path("x"), limits: Limits = SMALL) -> str:
+    answer = run_child(READER, manner, str(path), limits=limits)
+    assert isinstance(answer, ChildFailed)
+    return answer.reason
+
+
+def children() -> list[str]:
+    return [p.name() for p in psutil.Process().children(recursive=True)]
+
+
+def asked(manner: str) -> dict[str, object]:
+    return dict(answer_about(Path("x"), READER, manner, "x", limits=SMALL))
+
+
+def test_a_good_reader_is_heard_and_nothing_is_left_of_it() -> None:
+    before = children()
+    assert asked("good") == {"text": 42}
+    assert children() == before
+
+
+def test_what_a_library_prints_is_no_part_of_the_answer() -> None:
+    assert asked("print") == {"text": 42}
 
 
 @pytest.mark.parametrize(
-    ("name", "reason"),
+    ("manner", "reason"),
     [
         ("crash", "was ended by SIGSEGV"),
         ("cpu", "was ended by SIG"),
         ("memory", "stopped with: MemoryError"),
+        ("files", "Too many open files"),
         ("half", "gave no complete answer"),
-        ("disk", "File too large"),
+        ("nan", "Out of range float"),
     ],
 )
-def test_a_bad_reader_is_told_by_what_ended_it(tmp_path: Path, name: str, reason: str) -> None:
-    answer = run_reader("crashing_reader", tmp_path / name, SMALL)
-    assert isinstance(answer, ChildFailed)
-    assert reason in answer.reason
+def test_a_bad_reader_is_told_by_what_ended_it(manner: str, reason: str) -> None:
+    assert reason in said(manner)
 
 
-def test_a_reader_that_hangs_is_stopped(tmp_path: Path) -> None:
-    answer = run_reader("crashing_reader", tmp_path / "hang", Limits(wall_s=1.0))
-    assert answer == ChildFailed("took longer than 1 s")
+def test_a_reader_may_not_write_a_single_byte(tmp_path: Path) -> None:
+    file = tmp_path / "written"
+    assert "File too large" in said("disk", file)
+    assert not file.exists() or file.stat().st_size == 0
 
 
-def test_a_reader_that_does_not_exist_is_no_crash_of_ours(tmp_path: Path) -> None:
-    answer = run_reader("no_such_reader", tmp_path / "x", SMALL)
+def test_a_reader_that_was_given_room_may_write(tmp_path: Path) -> None:
+    file = tmp_path / "written"
+    roomy = Limits(written_bytes=1000)
+    assert run_child(READER, "disk", str(file), limits=roomy) == {"answer": {"text": 42}}
+    assert file.read_bytes() == b"x"
+
+
+@pytest.mark.parametrize("manner", ["hang", "deaf", "breed"])
+def test_a_reader_that_does_not_end_is_stopped_with_all_that_it_started(manner: str) -> None:
+    before = children()
+    assert said(manner, limits=Limits(wall_s=0.5)) == "took longer than 0.5 s"
+    assert children() == before
+    assert not any("sleep" in name for name in children())
+
+
+def test_an_endless_answer_is_not_listened_to() -> None:
+    said_of_it = said("talk", limits=Limits(answer_bytes=1_000_000))
+    assert said_of_it == "answered with more than 1000000 bytes"
+
+
+def test_a_reader_that_does_not_exist_is_no_crash_of_ours() -> None:
+    answer = run_child("no_such_reader:read", limits=SMALL)
     assert isinstance(answer, ChildFailed)
     assert "no_such_reader" in answer.reason
+
+
+def test_a_refusal_comes_over_as_it_was_raised(tmp_path: Path) -> None:
+    file = tmp_path / "a.obj"
+    with pytest.raises(ModelRejectedError) as rejected:
+        answer_about(file, READER, "refuse", str(file), limits=SMALL)
+    (problem,) = rejected.value.problems
+    assert str(problem) == "E E3 a.obj: it is another kind. Take the right one."
+
+
+def test_a_dead_reader_is_a_refusal_that_names_the_file(tmp_path: Path) -> None:
+    with pytest.raises(
+        ModelRejectedError, match=r"a\.obj: the reader was ended by SIGSEGV\. Check"
+    ):
+        answer_about(tmp_path / "a.obj", READER, "crash", "x", limits=SMALL)
+
+
+def test_a_reader_is_isolated_from_folder_and_environment(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("PYTHONPATH", "/somewhere/else")
+    monkeypatch.setenv("PYTHONSTARTUP", "/somewhere/else.py")
+    answer = asked("where")
+    assert answer["folder"] == "/"
+    assert "/somewhere/else" not in str(answer["path"])
+
+
+def _may_leave_network() -> bool:
+    """Ask in a process of its own whether the kernel lets us."""
+    code = (
+        "import sys; from sitewright.building_model.formats.import_child import leave_network; "
+        "sys.exit(not leave_network())"
+    )
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    return (
+        subprocess.run([sys.executable, "-c", code], env=environment, check=False).returncode == 0
+    )
+
+
+def test_a_reader_sees_no_network_where_the_kernel_lets_us_cut_it_off() -> None:
+    seen = asked("network")["interfaces"]
+    if not _may_leave_network():
+        pytest.skip("needs leave to make network namespaces; here the kernel denies it")
+    assert seen in ([], ["lo"])  # its own loopback, which is down
+
+
+_WAITING = """
+import sys
+sys.path[:] = sys.argv[1].split(":")
+from sitewright.building_model.formats.import_process import Limits, run_child
+run_child("crashing_reader:read", "hang", "x", limits=Limits(wall_s=60.0))
+"""
+
+
+@pytest.mark.parametrize("signum", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_the_reader_dies_with_its_parent(signum: int) -> None:
+    path = ":".join(str(Path(p).absolute()) for p in sys.path if p)
+    with subprocess.Popen(
+        [sys.executable, "-c", _WAITING, path], stderr=subprocess.DEVNULL
+    ) as parent:
+        child = _child_named(parent.pid, "hanging-reader")
+        parent.send_signal(signum)
+        parent.wait(timeout=10.0)
+    _, alive = psutil.wait_procs([child], timeout=10.0)
+    assert alive == []
+
+
+def _child_named(parent: int, name: str) -> psutil.Process:
+    for _ in range(1000):
+        found = [c for c in psutil.Process(parent).children() if c.name() == name]
+        if found:
+            return found[0]
+        time.sleep(0.01)
+    raise AssertionError("the child never came up")

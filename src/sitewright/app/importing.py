@@ -4,27 +4,21 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
+from sitewright.app.import_options import demand_meaning
 from sitewright.app.import_records import IMPORTS, with_record
 from sitewright.app.project import BUILDING, CELL, ProjectError, example_folder
 from sitewright.building_model.component import Source
-from sitewright.building_model.formats.bar_frame import read_bar_frame
-from sitewright.building_model.formats.btlx import read_btlx
-from sitewright.building_model.formats.compas_assembly import read_compas_assembly
-from sitewright.building_model.formats.compas_timber import import_compas_timber
 from sitewright.building_model.formats.cut_joints import cut_joints
 from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
+from sitewright.building_model.formats.foreign_files import READERS, read_foreign
 from sitewright.building_model.formats.from_neutral import model_of, targets_in
-from sitewright.building_model.formats.ifc import read_ifc
 from sitewright.building_model.formats.import_map import ImportMap, read_map
 from sitewright.building_model.formats.native import read_building
-from sitewright.building_model.formats.neutral import NeutralFile
-from sitewright.building_model.formats.obj import read_obj
-from sitewright.building_model.formats.rhino import read_rhino
 from sitewright.building_model.formats.to_file import document_of
 from sitewright.building_model.inference.assembly import infer_assembly
 from sitewright.building_model.model import BuildingModel
@@ -43,14 +37,6 @@ _EXTRAS: Mapping[FileKind, tuple[str, str]] = {
     FileKind.COMPAS_TIMBER: ("compas_timber", "timber"),
 }
 """What must be installed for a kind of file: package and extra."""
-_READERS: Mapping[FileKind, Callable[[Path], NeutralFile]] = {
-    FileKind.RHINO: read_rhino,
-    FileKind.IFC: read_ifc,
-    FileKind.BTLX: read_btlx,
-    FileKind.OBJ: read_obj,
-    FileKind.COMPAS_ASSEMBLY: read_compas_assembly,
-    FileKind.BAR_FRAME: read_bar_frame,
-}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -174,20 +160,22 @@ def read_design(
     """Return what a design file holds; nothing is inferred but the joints of a BTLx file.
 
     Raises:
+        ImportOptionError: An option means nothing for this kind of file.
         ModelRejectedError: The file or the map cannot be read, or parts of it are wrong.
         BackendMissingError: The extra for this kind of file is not installed.
     """
-    words = ImportMap() if options.map_file is None else read_map(options.map_file)
     kind = kind_of(read_limited(file))
+    demand_meaning(kind, _given(options))
     _demand_extra(kind)
     if kind is FileKind.NATIVE:
         return kind, _native(file), []
-    if kind is FileKind.COMPAS_TIMBER:
-        model, problems = import_compas_timber(file, options.unit)
-        return kind, model, problems
-    neutral = _reader(file, kind)(file)
+    if kind not in READERS:
+        message = f"this is no design that Sitewright reads (it looks like: {kind})."
+        known = "Rhino .3dm, IFC, BTLx, OBJ, compas_timber, compas_assembly or bar-frame JSON"
+        raise refused(file, "E3", message, f"Give it one of: {known}.")
+    words = ImportMap() if options.map_file is None else read_map(options.map_file)
     model, problems = model_of(
-        neutral,
+        read_foreign(file, kind),
         file,
         unit=options.unit,
         mapping=words,
@@ -208,13 +196,15 @@ def _native(file: Path) -> BuildingModel:
     return replace(model, sources=(*model.sources, own))
 
 
-def _reader(file: Path, kind: FileKind) -> Callable[[Path], NeutralFile]:
-    reader = _READERS.get(kind)
-    if reader is None:
-        message = f"this is no design that Sitewright reads (it looks like: {kind})."
-        known = "Rhino .3dm, IFC, BTLx, OBJ, compas_timber, compas_assembly or bar-frame JSON"
-        raise refused(file, "E3", message, f"Give it one of: {known}.")
-    return reader
+def _given(options: ImportOptions) -> Iterator[str]:
+    for name, value in (
+        ("--unit", options.unit),
+        ("--map", options.map_file),
+        ("--repair", options.repair),
+        ("--split", options.is_split),
+    ):
+        if value:
+            yield name
 
 
 def _demand_extra(kind: FileKind) -> None:

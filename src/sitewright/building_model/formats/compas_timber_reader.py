@@ -1,48 +1,30 @@
-"""Child side of the compas_timber importer: file in, neutral records out as JSON.
+"""Asks compas_timber what a timber model holds: records of JSON, numbers in the file's own unit.
 
-Runs as ``python -m`` under `import_process`; numbers stay in the file's own unit.
+Runs in a child process (`foreign_files`), since the library runs what its files name.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import sys
-from collections.abc import Iterator
+import warnings
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
-from sitewright.building_model.formats.import_process import limit_own_resources
+from sitewright.building_model.formats.foreign_json import read_json
+from sitewright.building_model.formats.unreadable import UnreadableError
 
-_MAX_DEPTH = 32
 _TRUSTED = ("compas.", "compas_timber.", "compas_model.")
-
-
-class UnreadableError(Exception):
-    """The file as a whole cannot be used; carries code, message and fix."""
-
-    def __init__(self, code: str, message: str, fix: str) -> None:
-        super().__init__(message)
-        self.answer = {"code": code, "message": message, "fix": fix}
-
-
-def main(limits: str, path: str) -> None:
-    """Print the records of `path`, or why there are none, as one JSON document."""
-    limit_own_resources(limits)
-    answer_to = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what libraries print is no part of the answer
-    try:
-        answer: dict[str, Any] = read(path)
-    except UnreadableError as error:
-        answer = {"refused": error.answer}
-    with answer_to:
-        json.dump(answer, answer_to, allow_nan=False)
 
 
 def read(path: str) -> dict[str, Any]:
     """Return parts, joints, warnings of a compas_timber model."""
-    _demand_trusted(_parse(path))
-    model = _load(path)
+    _demand_trusted(read_json(Path(path)))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the library's own use of what it deprecates
+        return _records(_load(path))
+
+
+def _records(model: Any) -> dict[str, Any]:  # noqa: ANN401 - untyped library
     errors = model.process_joinery()
     parts, left_out = [], []
     for element in model.elements():
@@ -59,41 +41,18 @@ def read(path: str) -> dict[str, Any]:
     }
 
 
-def _parse(path: str) -> Any:  # noqa: ANN401 - JSON of a stranger
-    with open(path, encoding="utf-8-sig") as file:  # noqa: PTH123 - kept small: no pathlib here
-        try:
-            text = file.read()
-            document = json.loads(text, parse_constant=_no_constant)
-        except UnicodeDecodeError as error:
-            raise UnreadableError("E5", f"it is no UTF-8 text: {error}.", "Export again.") from None
-        except RecursionError:
-            raise UnreadableError("E2", "it is nested too deeply.", "Export it again.") from None
-        except json.JSONDecodeError as error:
-            raise _broken(error, text) from None
-    return document
-
-
-def _no_constant(name: str) -> float:
-    raise UnreadableError("E2", f"it holds the number {name}.", "Repair the model, export again.")
-
-
-def _broken(error: json.JSONDecodeError, text: str) -> UnreadableError:
-    place = f"line {error.lineno}, column {error.colno}"
-    if error.pos >= len(text.rstrip()) or error.msg.startswith("Unterminated"):
-        return UnreadableError(
-            "E4", f"it is cut off at {place} (the JSON does not end).", "Copy or export it again."
-        )
-    return UnreadableError("E5", f"it is no JSON at {place}: {error.msg}.", "Export it again.")
-
-
 def _demand_trusted(document: Any) -> None:  # noqa: ANN401 - JSON of a stranger
-    """Refuse types that would make the library import foreign modules, and deep nesting."""
-    for depth, value in _values(document):
-        if depth > _MAX_DEPTH:
-            raise UnreadableError("E2", f"nested deeper than {_MAX_DEPTH}.", "Export it again.")
+    """Refuse types that would make the library import foreign modules."""
+    waiting = [document]
+    while waiting:
+        value = waiting.pop()
+        if isinstance(value, list):
+            waiting += value
         if not isinstance(value, dict):
             continue
-        names = [value.get("dtype"), *(value.get("inheritance") or [])]
+        waiting += value.values()
+        inherited = value.get("inheritance")
+        names = [value.get("dtype"), *(inherited if isinstance(inherited, list) else [])]
         strange = [n for n in names if n is not None and not str(n).startswith(_TRUSTED)]
         if strange:
             raise UnreadableError(
@@ -101,17 +60,6 @@ def _demand_trusted(document: Any) -> None:  # noqa: ANN401 - JSON of a stranger
                 f"it holds objects of type {strange[0]!r}, which is not compas_timber's.",
                 "Remove them from the model and export it again.",
             )
-
-
-def _values(document: Any) -> Iterator[tuple[int, Any]]:  # noqa: ANN401
-    waiting = [(1, document)]
-    while waiting:
-        depth, value = waiting.pop()
-        yield depth, value
-        if isinstance(value, dict):
-            waiting += [(depth + 1, v) for v in value.values()]
-        elif isinstance(value, list):
-            waiting += [(depth + 1, v) for v in value]
 
 
 def _load(path: str) -> Any:  # noqa: ANN401 - untyped library
@@ -172,7 +120,3 @@ def _joint(joint: Any) -> dict[str, Any]:  # noqa: ANN401
         "elements": [str(e.guid) for e in joint.elements],
         "location": list(location) if location is not None else None,
     }
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

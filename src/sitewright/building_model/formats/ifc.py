@@ -1,13 +1,12 @@
-"""Imports IFC files: elements with a body, their attributes, tasks and connections.
+"""Reads IFC files: elements with a body, their attributes, tasks and connections.
 
-The file is parsed in a child process (`ifc_reader`); here its answer is checked and becomes
-neutral records.
+What the library says (`ifc_reader`) is checked here and becomes neutral records.
 """
 
 from __future__ import annotations
 
+import json
 from collections import Counter
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -15,7 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, JsonValue, ValidationError
 
 from sitewright.building_model.component import PlaneCut
 from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
-from sitewright.building_model.formats.import_process import ChildFailed, Limits, run_reader
+from sitewright.building_model.formats.ifc_reader import WRONG_KIND, read, wrong_kind
 from sitewright.building_model.formats.neutral import (
     BoxSolid,
     ExtrusionSolid,
@@ -25,10 +24,10 @@ from sitewright.building_model.formats.neutral import (
     NeutralRelation,
     NeutralSolid,
 )
+from sitewright.building_model.formats.unreadable import UnreadableError
 from sitewright.errors import ModelRejectedError, Problem
 from sitewright.foundation.pose import Pose, Vector
 
-_READER = "sitewright.building_model.formats.ifc_reader"
 _END = b"END-ISO-10303-21;"
 _TAIL = 4096
 _ID = r"^[A-Za-z0-9_$]{1,64}$"
@@ -96,12 +95,11 @@ class _Records(_Strict):
     notes: list[str]
 
 
-def read_ifc(path: Path, *, limits: Limits | None = None) -> NeutralFile:
+def read_ifc(path: Path) -> NeutralFile:
     """Return what an IFC file holds, in its own unit, nothing decided yet.
 
     Args:
         path: An IFC file in STEP format (IFC2X3, IFC4, IFC4X3).
-        limits: What the parsing child may use.
 
     Raises:
         ModelRejectedError: It cannot be read as a whole (E2), holds nothing to build (E3), is cut
@@ -114,7 +112,7 @@ def read_ifc(path: Path, *, limits: Limits | None = None) -> NeutralFile:
     if _END not in content[-_TAIL:]:
         message = f"it is cut off (no {_END.decode()} at its end)."
         raise refused(path, "E4", message, "Copy or export it again.")
-    records = _records(path, limits or Limits())
+    records = _records(path)
     if not records.parts:
         said = " ".join(records.notes) or "It holds no building elements."
         raise refused(path, "E3", f"read 0 parts. {said}", "Export elements with their bodies.")
@@ -132,17 +130,15 @@ def read_ifc(path: Path, *, limits: Limits | None = None) -> NeutralFile:
     )
 
 
-def _records(path: Path, limits: Limits) -> _Records:
-    answer = run_reader(_READER, path.resolve(), limits)
-    if isinstance(answer, ChildFailed):
-        raise refused(path, "E2", f"the reader {answer.reason}.", "Check or export it again.")
-    if not isinstance(answer, Mapping):
-        raise refused(path, "E2", "the reader gave no records.", "Export it again.")
-    no = answer.get("refused")
-    if isinstance(no, Mapping):
-        raise refused(path, str(no["code"]), str(no["message"]), str(no["fix"]))
+def _records(path: Path) -> _Records:
     try:
-        return _Records.model_validate(answer)
+        answer = json.dumps(read(str(path)), allow_nan=False)
+    except UnreadableError as error:
+        raise error.of(path) from None
+    except WRONG_KIND as error:
+        raise wrong_kind("an entity", error).of(path) from None
+    try:
+        return _Records.model_validate_json(answer)
     except ValidationError as error:
         first = error.errors()[0]
         place = ".".join(str(p) for p in first["loc"])

@@ -18,13 +18,13 @@ from pathlib import Path
 
 from sitewright.building_model.component import AsBuilt, Component
 from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
-from sitewright.building_model.formats.import_process import ChildFailed, Limits, run_reader
+from sitewright.building_model.formats.import_process import Limits, answer_about
 from sitewright.building_model.model import BuildingModel
 from sitewright.errors import BuildingModelError
 from sitewright.foundation.canonical import Json, sha256_hex
 from sitewright.foundation.pose import Pose, Vector, add
 
-_PATCH = "sitewright.building_model.formats.ifc_patch"
+_PATCH = "sitewright.building_model.formats.ifc_patch:lines_as_asked"
 _END_OF_SECTION = b"ENDSEC;"
 _DONE = ("verified", "fastened", "placed")
 _PARTLY = "partly"
@@ -103,15 +103,7 @@ def _ask(ifc: Path, request: Mapping[str, Json], limits: Limits) -> Mapping[str,
     with tempfile.TemporaryDirectory() as folder:
         question = Path(folder) / "request.json"
         question.write_text(json.dumps({**request, "ifc": str(ifc.resolve())}), encoding="utf-8")
-        answer = run_reader(_PATCH, question, limits)
-    if isinstance(answer, ChildFailed):
-        raise refused(ifc, "E2", f"the reader {answer.reason}.", "Check or export it again.")
-    if not isinstance(answer, Mapping):
-        raise refused(ifc, "E2", "the reader gave no lines.", "Export it again.")
-    no = answer.get("refused")
-    if isinstance(no, Mapping):
-        raise refused(ifc, str(no["code"]), str(no["message"]), str(no["fix"]))
-    return answer
+        return answer_about(ifc, _PATCH, str(question.absolute()), limits=limits)
 
 
 def _texts(value: Json) -> list[str]:

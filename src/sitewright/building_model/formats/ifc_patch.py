@@ -1,15 +1,13 @@
 """Child side of the IFC export: what to add to a file, as lines of its DATA section.
 
-Runs as ``python -m`` under `import_process` with a request file; opens the IFC file, adds
-entities in memory and prints only these. Nothing that the file holds is changed.
+Runs in a child process (`import_process`) with a request file; opens the IFC file, adds
+entities in memory and returns only these. Nothing that the file holds is changed.
 """
 
 from __future__ import annotations
 
 import itertools
 import json
-import os
-import sys
 import uuid
 from collections.abc import Mapping
 from datetime import datetime
@@ -17,25 +15,24 @@ from pathlib import Path
 from typing import Any
 
 from sitewright.building_model.formats.ifc_attributes import BUILT_SET
-from sitewright.building_model.formats.ifc_reader import UnreadableError, open_file
-from sitewright.building_model.formats.import_process import limit_own_resources
+from sitewright.building_model.formats.ifc_reader import open_file
+from sitewright.building_model.formats.unreadable import UnreadableError
 
 _OLD = "IFC2X3"
 _DONE = "COMPLETED"
 
 
-def main(limits: str, request_path: str) -> None:
-    """Print ``{lines, missing}`` for a request ``{ifc, seed, written_at, records, expected}``."""
-    limit_own_resources(limits)
-    answer_to = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)
+def lines_as_asked(request_path: str) -> dict[str, Any]:
+    """Return ``{lines, missing}`` for a request ``{ifc, seed, written_at, records, expected}``.
+
+    Raises:
+        ModelRejectedError: The IFC file cannot be read.
+    """
     request = json.loads(Path(request_path).read_text(encoding="utf-8"))
     try:
-        answer: dict[str, Any] = _answer(request)
+        return _answer(request)
     except UnreadableError as error:
-        answer = {"refused": error.answer}
-    with answer_to:
-        json.dump(answer, answer_to, allow_nan=False)
+        raise error.of(Path(request["ifc"])) from None
 
 
 def _answer(request: Mapping[str, Any]) -> dict[str, Any]:
@@ -196,7 +193,3 @@ class _Patch:
         entity = self._file.create_entity(kind, **values)
         self._new.append(entity)
         return entity
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

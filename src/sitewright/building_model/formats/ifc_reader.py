@@ -1,18 +1,15 @@
-"""Child side of the IFC importer: file in, neutral records out as JSON.
+"""Asks ifcopenshell what an IFC file holds: records of JSON, numbers in the file's own unit.
 
-Runs as ``python -m`` under `import_process`; numbers stay in the file's own unit.
+Runs in a child process (`foreign_files`), since the library may crash on a bad file.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import sys
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sitewright.building_model.formats.import_process import limit_own_resources
+from sitewright.building_model.formats.unreadable import UnreadableError
 
 _LINEAR = ("IfcMember", "IfcBeam", "IfcColumn", "IfcPile")
 _BUILT = ("IfcBuildingElement", "IfcBuiltElement", "IfcElementComponent")
@@ -22,31 +19,8 @@ _NOT_BUILT = (
 )
 _MAX_PARTS = 50_000
 _SHOWN = 300
-_WRONG_KIND = (AttributeError, TypeError, ValueError, IndexError, ArithmeticError)
+WRONG_KIND = (AttributeError, TypeError, ValueError, IndexError, ArithmeticError)
 """What an attribute of a wrong kind looks like: the parser does not check kinds."""
-
-
-class UnreadableError(Exception):
-    """The file as a whole cannot be used; carries code, message and fix."""
-
-    def __init__(self, code: str, message: str, fix: str) -> None:
-        super().__init__(message)
-        self.answer = {"code": code, "message": message, "fix": fix}
-
-
-def main(limits: str, path: str) -> None:
-    """Print the records of `path`, or why there are none, as one JSON document."""
-    limit_own_resources(limits)
-    answer_to = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what libraries print is no part of the answer
-    try:
-        answer: dict[str, Any] = read(path)
-    except _WRONG_KIND as error:
-        answer = {"refused": _wrong_kind("an entity", error).answer}
-    except UnreadableError as error:
-        answer = {"refused": error.answer}
-    with answer_to:
-        json.dump(answer, answer_to, allow_nan=False)
 
 
 def read(path: str) -> dict[str, Any]:
@@ -71,7 +45,8 @@ def read(path: str) -> dict[str, Any]:
     }
 
 
-def _wrong_kind(what: str, error: Exception) -> UnreadableError:
+def wrong_kind(what: str, error: Exception) -> UnreadableError:
+    """Return the refusal of an entity that is not as its schema demands."""
     message = f"{what} is not as its schema demands ({type(error).__name__}: {error})."
     return UnreadableError("E2", message[:_SHOWN], "Repair the model and export it again.")
 
@@ -181,8 +156,8 @@ def _parts(
             solids[element.GlobalId] = read_solids(element, pose, is_linear=is_linear)
         except NotAnalyticError:
             for_kernel.append(element)
-        except _WRONG_KIND as error:
-            raise _wrong_kind(f"{element.is_a()} {element.GlobalId}", error) from None
+        except WRONG_KIND as error:
+            raise wrong_kind(f"{element.is_a()} {element.GlobalId}", error) from None
     solids.update(tessellate(file, for_kernel, metres or 1.0))
     groups = _group_names(elements)
     return [_part(e, solids.get(e.GlobalId, []), order, groups) for e in elements]
@@ -253,7 +228,3 @@ def _survey_note(survey: Mapping[str, Any]) -> list[str]:
         return []
     values = ", ".join(f"{k} {v}" for k, v in survey.items() if v != "")
     return [f"Its survey origin ({values}) is not applied: coordinates are the file's own."]
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,28 +1,25 @@
-"""Imports Rhino .3dm files: solids with their layers, user text, groups and blocks.
+"""Reads Rhino .3dm files: solids with their layers, user text, groups and blocks.
 
-The file is parsed in a child process (`rhino_reader`); here its answer is checked and becomes
-neutral records.
+What the library says (`rhino_reader`) is checked here and becomes neutral records.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
 from pydantic import Field, JsonValue, ValidationError
 
 from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
-from sitewright.building_model.formats.import_process import ChildFailed, Limits, run_reader
 from sitewright.building_model.formats.neutral import NeutralFile, NeutralPart
 from sitewright.building_model.formats.rhino_chunks import CutOffError, table_sizes
+from sitewright.building_model.formats.rhino_reader import read
 from sitewright.building_model.formats.rhino_units import METRES_PER_RHINO_UNIT
 from sitewright.building_model.formats.solid_records import Record, SolidRecord, solid_of_record
+from sitewright.building_model.formats.unreadable import UnreadableError
 from sitewright.errors import ModelRejectedError, Problem
-from sitewright.foundation.canonical import Json
 
-_READER = "sitewright.building_model.formats.rhino_reader"
 _NO_ID = "00000000-0000-0000-0000-000000000000"
 
 
@@ -45,24 +42,18 @@ class _Records(Record):
     notes: list[str]
 
 
-def read_rhino(path: Path, *, limits: Limits | None = None) -> NeutralFile:
+def read_rhino(path: Path) -> NeutralFile:
     """Return what a .3dm file holds, in its own unit, nothing decided yet.
 
     Args:
         path: A file saved by Rhino, version 2 or newer.
-        limits: What the parsing child may use.
 
     Raises:
         ModelRejectedError: It cannot be read as a whole (E2), is something else or holds nothing
             to build (E3), is cut off (E4), or two objects share an id (D1).
     """
     demand_whole(path)
-    try:
-        records = _Records.model_validate(answer_of(_READER, path, path, limits or Limits()))
-    except ValidationError as error:
-        first = error.errors()[0]
-        place = ".".join(str(p) for p in first["loc"])
-        raise refused(path, "E2", f"{place}: {first['msg']}.", "Repair the model.") from None
+    records = _records(path)
     if not records.parts:
         said = " ".join(records.notes) or "It holds no objects."
         raise refused(path, "E3", f"read 0 parts. {said}", "Save solids with it.")
@@ -92,27 +83,15 @@ def demand_whole(path: Path) -> dict[str, int]:
         raise refused(path, "E4", f"it is cut off ({error}).", fix) from None
 
 
-def answer_of(module: str, asked: Path, path: Path, limits: Limits) -> Mapping[str, Json]:
-    """Return what a child process says of a file.
-
-    Args:
-        module: The child's module.
-        asked: Its argument.
-        path: The user's file, for messages.
-        limits: What it may use.
-
-    Raises:
-        ModelRejectedError: It failed, or refused the file.
-    """
-    answer = run_reader(module, asked.resolve(), limits)
-    if isinstance(answer, ChildFailed):
-        raise refused(path, "E2", f"the reader {answer.reason}.", "Check or save it again.")
-    if not isinstance(answer, Mapping):
-        raise refused(path, "E2", "the reader gave no records.", "Save it again.")
-    no = answer.get("refused")
-    if isinstance(no, Mapping):
-        raise refused(path, str(no["code"]), str(no["message"]), str(no["fix"]))
-    return answer
+def _records(path: Path) -> _Records:
+    try:
+        return _Records.model_validate(read(str(path)))
+    except UnreadableError as error:
+        raise error.of(path) from None
+    except ValidationError as error:
+        first = error.errors()[0]
+        place = ".".join(str(p) for p in first["loc"])
+        raise refused(path, "E2", f"{place}: {first['msg']}.", "Repair the model.") from None
 
 
 def _demand_own_ids(path: Path, records: _Records) -> None:

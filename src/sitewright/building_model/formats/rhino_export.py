@@ -12,13 +12,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitewright.building_model.formats.import_process import Limits
+from sitewright.building_model.formats.import_process import Limits, answer_about
 from sitewright.building_model.formats.layer_rules import LayerNames
-from sitewright.building_model.formats.rhino import answer_of, demand_whole
+from sitewright.building_model.formats.rhino import demand_whole
 from sitewright.errors import BuildingModelError
 from sitewright.foundation.canonical import Json
 
-_PATCH = "sitewright.building_model.formats.rhino_patch"
+_PATCH = "sitewright.building_model.formats.rhino_patch:patch_as_asked"
 _ROOM_BYTES = 50_000_000
 
 
@@ -78,7 +78,8 @@ def export_rhino(
         draft, request = Path(folder) / out.name, Path(folder) / "request.json"
         question = _question(original, draft, status, names or LayerNames())
         request.write_text(json.dumps(question), encoding="utf-8")
-        answer = answer_of(_PATCH, request, original, replace(limits, written_bytes=room))
+        allowed = replace(limits, written_bytes=room)
+        answer = answer_about(original, _PATCH, str(request.absolute()), limits=allowed)
         written, missing = _texts(answer, "written"), _texts(answer, "missing")
         if status and not written:
             raise ForeignDrawingError(f"{original} holds none of the objects that were built.")

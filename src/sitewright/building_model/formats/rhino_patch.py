@@ -1,22 +1,20 @@
 """Child side of the Rhino export: writes status and layers into a copy, tells what it lost.
 
-Runs as ``python -m`` under `import_process`; its argument is a request: ``original``, ``copy``,
+Runs in a child process (`import_process`); its argument is a request: ``original``, ``copy``,
 ``status`` (source id -> layer and keys), ``role_by_name`` (the user's names of our layers).
 """
 
 from __future__ import annotations
 
 import json
-import os
-import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from sitewright.building_model.component import Layer
 from sitewright.building_model.formats.import_map import PREFIX
-from sitewright.building_model.formats.import_process import limit_own_resources
 from sitewright.building_model.formats.layer_rules import LayerNames
+from sitewright.building_model.formats.unreadable import UnreadableError
 
 _BETWEEN = "::"
 _TABLES = (
@@ -27,24 +25,22 @@ _WIDE = 50
 """Rhino 5 and newer write their version times ten."""
 
 
-def main(limits: str, request: str) -> None:
-    """Print what was written and lost, or why nothing was, as one JSON document."""
-    from sitewright.building_model.formats.rhino_reader import UnreadableError
+def patch_as_asked(request: str) -> dict[str, Any]:
+    """Write the copy that a request file asks for; what the child process runs.
 
-    limit_own_resources(limits)
-    answer_to = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what libraries print is no part of the answer
+    Raises:
+        ModelRejectedError: The original cannot be read, or the copy cannot be written.
+    """
+    question = json.loads(Path(request).read_text(encoding="utf-8"))
     try:
-        answer: dict[str, Any] = patch(json.loads(Path(request).read_text(encoding="utf-8")))
+        return patch(question)
     except UnreadableError as error:
-        answer = {"refused": error.answer}
-    with answer_to:
-        json.dump(answer, answer_to, allow_nan=False)
+        raise error.of(Path(question["original"])) from None
 
 
 def patch(request: Mapping[str, Any]) -> dict[str, Any]:
     """Write the copy and return ids written, ids not found, and losses as sentences."""
-    from sitewright.building_model.formats.rhino_reader import UnreadableError, open_file
+    from sitewright.building_model.formats.rhino_reader import open_file
 
     model = open_file(request["original"])
     names = LayerNames(
@@ -178,7 +174,3 @@ def _unmarked(after: _Contents, request: Mapping[str, Any], written: list[str]) 
         wanted = {PREFIX + k: str(v) for k, v in request["status"][identity]["keys"].items() if v}
         if not wanted.items() <= after.text.get(identity, {}).items():
             yield f"Object {identity}: its status did not reach the copy."
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -1,45 +1,21 @@
-"""Child side of the Rhino importer: .3dm file in, neutral records out as JSON.
+"""Asks rhino3dm what a .3dm file holds: records of JSON, numbers in the file's own unit.
 
-Runs as ``python -m`` under `import_process`; numbers stay in the file's own unit.
+Runs in a child process (`foreign_files`), since the library may crash on a bad file.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import sys
 from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
-from sitewright.building_model.formats.import_process import limit_own_resources
+from sitewright.building_model.formats.unreadable import UnreadableError
 
 _MAX_PARTS = 50_000
 _MAX_FACES = 20_000_000
 _SOLIDS = ("Extrusion", "Brep", "Mesh")
 _MADE_BY_RHINO = "$"
 _SMALLEST_TOLERANCE = 1e-7
-
-
-class UnreadableError(Exception):
-    """The file as a whole cannot be used; carries code, message and fix."""
-
-    def __init__(self, code: str, message: str, fix: str) -> None:
-        super().__init__(message)
-        self.answer = {"code": code, "message": message, "fix": fix}
-
-
-def main(limits: str, path: str) -> None:
-    """Print the records of `path`, or why there are none, as one JSON document."""
-    limit_own_resources(limits)
-    answer_to = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)  # what libraries print is no part of the answer
-    try:
-        answer: dict[str, Any] = read(path)
-    except UnreadableError as error:
-        answer = {"refused": error.answer}
-    with answer_to:
-        json.dump(answer, answer_to, allow_nan=False)
 
 
 def open_file(path: str) -> Any:  # noqa: ANN401 - untyped library throughout
@@ -206,7 +182,3 @@ def _raw(
         "url": str(attributes.Url or ""),
     }
     return {key: value for key, value in facts.items() if value}
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
