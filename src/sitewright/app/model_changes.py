@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
 from sitewright.building_model.component import Component, Layer, Origin
@@ -53,6 +53,21 @@ def changes_between(before: BuildingModel, after: BuildingModel) -> list[Change]
     return found
 
 
+def plain_value(value: object) -> Any:  # noqa: ANN401 - any JSON value
+    """Return a fact of a model as JSON, as far as a reader of a conflict needs it."""
+    match value:
+        case None | bool() | int() | float() | str():
+            return value
+        case Mapping():
+            return {str(k): plain_value(v) for k, v in value.items()}
+        case Sequence():
+            return [plain_value(v) for v in value]
+        case _ if is_dataclass(value):
+            return {f.name: plain_value(getattr(value, f.name)) for f in fields(value)}
+        case _:
+            return str(value)
+
+
 def given_facts_changed(changes: Sequence[Change], before: BuildingModel) -> list[str]:
     """Return the stated facts that a list of changes would alter; none, unless there is a bug.
 
@@ -85,9 +100,9 @@ def patched(raw: Mapping[str, Any], before: BuildingModel, after: BuildingModel)
     if old.get("relations") != new.get("relations"):
         kept = {_key(o): r for o, r in zip(old.get("relations", []), raw.get("relations", []))}  # noqa: B905 - equal if there are any
         result["relations"] = [kept.get(_key(n), n) for n in new.get("relations", [])]
-    for key in ("build", "rules"):
-        if old.get(key) != new.get(key) and key in new:
-            result[key] = new[key]
+    for key in sorted((old.keys() | new.keys()) - {*_LISTS, "relations"}):
+        if old.get(key) != new.get(key):
+            result[key] = new.get(key, [])
     return {k: result[k] for k in [*new, *result] if k in result and result[k] != []}
 
 
