@@ -134,7 +134,8 @@ def reimport_file(
 
 
 def _differs(found: Reimport) -> bool:
-    return found.before != found.after
+    """Whether a fact differs; another name or hash of the file alone is none."""
+    return bool(found.changes)
 
 
 def _merged(

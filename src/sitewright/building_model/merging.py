@@ -91,7 +91,7 @@ class _Merge:
     ) -> dict[str, Entry]:
         """Return entries merged one by one; what one side removed and the other kept is gone."""
         result: dict[str, Entry] = {}
-        for key in sorted({*mine, *theirs}):
+        for key in dict.fromkeys([*mine, *theirs]):
             found = self._entry(key, base.get(key), mine.get(key), theirs.get(key), merged)
             if found is not None:
                 result[key] = found
@@ -160,7 +160,7 @@ def merged_design(
     }
     return replace(
         mine,
-        component_by_id={ComponentId(i): c for i, c in components.items()},
+        component_by_id={ComponentId(i): components[i] for i in sorted(components)},
         relations=tuple(r for r in relations.values() if r.a in known and r.b in known),
         stacks=tuple(_still_there(s, known) for s in stacks.values()),
         **whole,
