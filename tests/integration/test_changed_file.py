@@ -6,7 +6,7 @@ import json
 import shutil
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ ifc = pytest.importorskip("builders_ifc", reason="needs the extra 'ifc'")
 
 from sitewright.app.importing import ImportOptions  # noqa: E402
 from sitewright.app.locks import locked  # noqa: E402
-from sitewright.app.project import example_folder  # noqa: E402
+from sitewright.app.project import example_folder, open_project  # noqa: E402
 from sitewright.app.reimporting import reimport_file  # noqa: E402
 from sitewright.app.run_folder import chain_events, chain_of, run_folders  # noqa: E402
 from sitewright.building_model.formats.native import read_building  # noqa: E402
@@ -27,6 +27,7 @@ from sitewright.central_controller.events import (  # noqa: E402
     ProposalMade,
     ProposalSuperseded,
 )
+from sitewright.robot_team.drivers.mujoco.client import connect  # noqa: E402
 
 SITEWRIGHT = "import sys; from sitewright.cli.main import main; main(sys.argv[1:])"
 
@@ -77,13 +78,15 @@ def imported(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def interrupted(imported: Path) -> Path:
+def interrupted(imported: Path) -> Iterator[Path]:
     """Return the project after one component was built and the next plan was held."""
     folder = imported.with_name("interrupted")
     shutil.copytree(imported, folder)
     code, _, said = sitewright("run", folder, answers="a\n")
     assert code == 7, said
-    return folder
+    yield folder
+    cell = run_folders(folder / "runs")[-1].path / "cell"
+    connect(cell, open_project(folder).cell, ()).shutdown()
 
 
 @pytest.fixture
