@@ -96,6 +96,7 @@ class Problem:
         message: What is wrong, in one sentence.
         fix: What to do about it, in one sentence.
         source_id: Id of the same thing in the file it was imported from, if any.
+        is_fixable: ``sitewright check --fix`` mends it without altering what the author stated.
     """
 
     code: str
@@ -104,6 +105,7 @@ class Problem:
     message: str
     fix: str
     source_id: str = ""
+    is_fixable: bool = False
 
     @override
     def __str__(self) -> str:

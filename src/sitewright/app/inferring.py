@@ -3,35 +3,20 @@
 from __future__ import annotations
 
 import json
-import tempfile
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from sitewright.app.locks import locked
-from sitewright.app.model_changes import Change, changes_between, given_facts_changed, patched
+from sitewright.app.model_changes import Change, changes_between, given_facts_changed
 from sitewright.app.project import BUILDING, CELL, ProjectError
-from sitewright.app.run import fold_of, newest_run
-from sitewright.app.run_folder import chain_of
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.inference.completion import Surroundings, complete
 from sitewright.building_model.model import BuildingModel
-from sitewright.central_controller.site_state import site_of
 from sitewright.errors import Problem, SitewrightError
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.json_layout import laid_out
-from sitewright.journal.blobs import write_whole
 from sitewright.robot_team.formats.cell_toml import read_cell
-
-BACKUP = f"{BUILDING}.bak"
-
-
-class OpenRunError(SitewrightError):
-    """The design cannot change while a run builds it."""
-
-    exit_code = 9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,7 +67,7 @@ def infer_project(
     found = Inference(before=before, after=after, changes=changes, problems=tuple(problems))
     if not write or not changes:
         return found
-    _write(folder, data, found)
+    write_changed(folder, data, before, after)
     return replace(found, is_written=True)
 
 
@@ -124,40 +109,3 @@ def _rules_in(file: Path) -> Sequence[Mapping[str, Json]]:
     if not isinstance(document, list) or not all(isinstance(r, Mapping) for r in document):
         raise ProjectError(f"{file} holds no list of rules ([[rules]] in TOML).")
     return document
-
-
-def _write(folder: Path, data: bytes, found: Inference) -> None:
-    """Change the file in one step, with the old one beside it, unless a run is open."""
-    file = folder / BUILDING
-    document = patched(json.loads(data.decode("utf-8-sig")), found.before, found.after)
-    text = laid_out(document)
-    _require_readable(text, found.after)
-    with locked(folder / "runs" / "lock", "The project"):
-        _refuse_open_run(folder, found.before)
-        if file.read_bytes() != data:
-            raise ProjectError(f"{file} was changed meanwhile. Infer again.")
-        write_whole(folder / BACKUP, data)
-        write_whole(file, text.encode())
-
-
-def _require_readable(text: str, expected: BuildingModel) -> None:
-    """Read the new text back before anything is written; it must mean what was inferred."""
-    with tempfile.TemporaryDirectory(prefix="sitewright-") as scratch:
-        trial = Path(scratch) / BUILDING
-        trial.write_text(text, encoding="utf-8")
-        again = read_building(trial)
-    if differing := changes_between(again, expected):
-        where = ", ".join(f"{c.where}.{c.key}".strip(".") for c in differing[:3])
-        raise SitewrightError(f"The completed model does not survive writing: {where}.")
-
-
-def _refuse_open_run(folder: Path, design: BuildingModel) -> None:
-    newest = newest_run(folder / "runs")
-    if newest is None:
-        return
-    state, _ = fold_of(chain_of(newest), site_of(design))
-    if state.finished is None:
-        raise OpenRunError(
-            f"Run {newest.run} is open, so its design must not change. "
-            f"Finish it first: sitewright run {folder}"
-        )

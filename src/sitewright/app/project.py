@@ -16,7 +16,6 @@ from sitewright.building_model.shapes import shape_of
 from sitewright.construction_graph.project_check import check_project
 from sitewright.errors import (
     BuildingModelError,
-    CellRejectedError,
     ModelRejectedError,
     Problem,
     SitewrightError,
@@ -76,7 +75,7 @@ def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project
     """
     folder = Path(path)
     cell_file = folder / (cell or CELL)
-    _require(folder, cell_file)
+    require_project(folder, cell_file)
     project = Project(
         folder=folder,
         cell_file=cell_file,
@@ -107,31 +106,6 @@ def problems_of(project: Project) -> list[Problem]:
     return [*found, *posture_problems(cell, obstacles, make_backends().collision)]
 
 
-def check(path: Path | str, *, cell: Path | str | None = None) -> list[Problem]:
-    """Return every problem of a project's files, of the model and of how it fits the cell.
-
-    Raises:
-        ProjectError: The folder or one of its files is missing.
-    """
-    folder = Path(path)
-    cell_file = folder / (cell or CELL)
-    _require(folder, cell_file)
-    problems: list[Problem] = []
-    model: BuildingModel | None = None
-    try:
-        model = read_building(folder / BUILDING)
-    except ModelRejectedError as rejected:
-        problems += rejected.problems
-    try:
-        team = read_cell(cell_file)
-    except CellRejectedError as rejected:
-        return problems + list(rejected.problems)
-    if model is None:
-        return problems
-    project = Project(folder=folder, cell_file=cell_file, model=model, cell=team)
-    return problems + problems_of(project)
-
-
 def new_project(folder: Path | str, *, example: str = "wooden_frame") -> Path:
     """Copy an example's building, cell and notes into a new folder.
 
@@ -159,7 +133,8 @@ def example_folder(example: str) -> Path:
     return packaged if packaged.exists() else Path(__file__).parents[3] / "examples" / example
 
 
-def _require(folder: Path, cell_file: Path) -> None:
+def require_project(folder: Path, cell_file: Path) -> None:
+    """Raise `ProjectError` if a folder or one of the files that it needs is missing."""
     if not folder.is_dir():
         raise ProjectError(f"{folder} is no folder. `sitewright new {folder}` makes a project.")
     for file, origin in ((folder / BUILDING, "sitewright import"), (cell_file, "sitewright new")):

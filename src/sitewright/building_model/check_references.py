@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TypeVar
 
-from sitewright.building_model.component import Component, Layer, Operation
+from sitewright.building_model.component import Component, Layer, Operation, is_given
 from sitewright.building_model.findings import refused
 from sitewright.building_model.model import BuildingModel, RelationKind
 from sitewright.errors import Problem, did_you_mean
@@ -15,11 +15,30 @@ from sitewright.foundation.ids import ComponentId, OperationId
 _CARRIES = frozenset({Layer.TARGET, Layer.AS_BUILT})
 
 Node = TypeVar("Node", bound=str)
+Names = Mapping[str, Sequence[Component]]
+"""Who bears a name."""
+
+
+def named(model: BuildingModel) -> Names:
+    """Return who bears each name."""
+    found: dict[str, list[Component]] = {}
+    for component in model.component_by_id.values():
+        if component.name:
+            found.setdefault(component.name, []).append(component)
+    return found
+
+
+def meant(name: str, asked_by: Component, names: Names) -> Component | None:
+    """Return the only other component of a name, in the model or else in the group."""
+    others = [c for c in names.get(name, ()) if c.id != asked_by.id]
+    if len(others) > 1 and asked_by.group:
+        others = [c for c in others if c.group == asked_by.group]
+    return others[0] if len(others) == 1 else None
 
 
 def reference_problems(model: BuildingModel) -> Iterator[Problem]:
     """Yield unknown references, parents on wrong layers, and cycles."""
-    names = Counter(c.name for c in model.component_by_id.values() if c.name)
+    names = named(model)
     operations = {o.id for c in model.component_by_id.values() for o in c.operations}
     for component in model.component_by_id.values():
         yield from _parents(model, component, names)
@@ -38,12 +57,14 @@ def order_problems(model: BuildingModel) -> Iterator[Problem]:
             if parent is None or component.order is None or parent.order is None:
                 continue
             if component.order < parent.order:
-                yield refused(
+                problem = refused(
                     "P4",
                     component,
                     f"It (order {component.order}) rests on {name} (order {parent.order}).",
                     "Give what carries it a lower order.",
                 )
+                is_stated = is_given(component, "order") and is_given(parent, "order")
+                yield replace(problem, is_fixable=not is_stated)
 
 
 def cycle_in(parents_of: Mapping[Node, Sequence[Node]]) -> tuple[Node, ...]:
@@ -72,9 +93,7 @@ def _from_smallest(cycle: Sequence[Node]) -> tuple[Node, ...]:
     return (*turned, turned[0])
 
 
-def _parents(
-    model: BuildingModel, component: Component, names: Mapping[str, int]
-) -> Iterator[Problem]:
+def _parents(model: BuildingModel, component: Component, names: Names) -> Iterator[Problem]:
     for name in component.construction_parents:
         parent = model.component_by_id.get(name)
         if parent is None:
@@ -89,7 +108,7 @@ def _parents(
 
 
 def _receivers(
-    model: BuildingModel, component: Component, operation: Operation, names: Mapping[str, int]
+    model: BuildingModel, component: Component, operation: Operation, names: Names
 ) -> Iterator[Problem]:
     for name in operation.on:
         if name not in model.component_by_id:
@@ -108,12 +127,14 @@ def _earlier_operations(
 
 
 def _unknown(
-    model: BuildingModel, component: Component, what: str, name: str, names: Mapping[str, int]
+    model: BuildingModel, component: Component, what: str, name: str, names: Names
 ) -> Problem:
-    if count := names.get(name, 0):
-        objects = "object" if count == 1 else "objects"
-        message = f"The {what} is a name that matches {count} {objects}."
-        return refused("N1", component, message, "Use ids.")
+    if matching := names.get(name, ()):
+        objects = "object" if len(matching) == 1 else "objects"
+        message = f"The {what} is a name that matches {len(matching)} {objects}."
+        one = meant(name, component, names)
+        fix = "Use ids." if one is None else f"Use its id {one.id}."
+        return replace(refused("N1", component, message, fix), is_fixable=one is not None)
     hint = did_you_mean(name, model.component_by_id)
     return refused("P1", component, f"The {what} does not exist.{hint}", "Correct the id.")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from sitewright.building_model.component import Component, Layer, Process
 from sitewright.building_model.findings import refused, warned
@@ -11,6 +12,9 @@ from sitewright.building_model.shapes import Extent, extent_of, shape_of
 from sitewright.errors import Problem
 from sitewright.foundation.pose import Pose, dot, scale, unit
 
+DRIVEN = frozenset({Process.NAIL, Process.SCREW})
+"""Processes whose fasteners carry a component as soon as they are in."""
+_HELD_BY = 2
 _GAP_M = 0.005
 _HOLDS = frozenset({Process.NAIL, Process.SCREW, Process.GLUE, Process.WELD, Process.MORTAR})
 
@@ -22,12 +26,34 @@ def support_problems(model: BuildingModel) -> Iterator[Problem]:
         if component.layer is not Layer.TARGET or _is_carried(model, component):
             continue
         if any(o.process in _HOLDS for o in component.operations) or component.id in held:
-            message = "It has no support below: hold until fastened."
-            yield warned("F1", component, message, "Check 'hold_until_fasteners'.")
+            yield hanging(component)
         else:
             message = "It has no support below and no operation fastens it."
-            fix = "Add falsework ('temporary_support') or an operation."
+            fix = "Add falsework ('temporary_support'), an operation, or a rule for fasteners."
             yield refused("F2", component, message, fix)
+
+
+def hanging(component: Component) -> Problem:
+    """Return F1 of a component that only its fasteners or its joints carry."""
+    driven = [o for o in component.operations if o.process in DRIVEN]
+    count = component.hold_until_fasteners
+    if not driven:
+        message = "It has no support below: it must be held, and no nail or screw takes over."
+        fix = "Give it nails or screws, or a rule for them; or falsework ('temporary_support')."
+        return warned("F1", component, message, fix)
+    if count:
+        what = "fastener is" if count == 1 else "fasteners are"
+        message = f"It has no support below: it is held until {count} {what} in."
+        fix = f"State another 'hold_until_fasteners' if {count} cannot carry it."
+        return warned("F1", component, message, fix)
+    message = "It has no support below, and the robot would let go before it is fastened."
+    fix = "State 'hold_until_fasteners'."
+    return replace(warned("F1", component, message, fix), is_fixable=True)
+
+
+def fasteners_that_hold(component: Component) -> int:
+    """Return how many fasteners must be in before a hanging component is let go: two, or all."""
+    return min(_HELD_BY, sum(o.process in DRIVEN for o in component.operations))
 
 
 def _is_carried(model: BuildingModel, component: Component) -> bool:

@@ -223,3 +223,8 @@ class Component:
     ext: Mapping[str, Json] = field(default_factory=dict)
     origins: Mapping[str, tuple[Origin, str]] = field(default_factory=dict)
     as_built: AsBuilt | None = None
+
+
+def is_given(component: Component, fact: str) -> bool:
+    """Whether a field was stated by the author."""
+    return component.origins.get(fact, (Origin.GIVEN, ""))[0] is Origin.GIVEN

@@ -107,6 +107,15 @@ def mass_of(component: Component, materials: Mapping[str, Json] | None = None) -
     return density_of(component, materials or {}) * volume_of(component)
 
 
+def is_mass_known(component: Component, materials: Mapping[str, Json]) -> bool:
+    """Whether a mass is stated, or follows from a density that is; else it is a guess."""
+    if component.mass_kg is not None or component.density_kg_m3 is not None:
+        return True
+    stated = materials.get(component.material)
+    has_density = isinstance(stated, Mapping) and "density_kg_m3" in stated
+    return has_density or component.material.lower() in DENSITY_KG_M3
+
+
 def density_of(component: Component, materials: Mapping[str, Json]) -> float:
     """Return the density in kg/m3."""
     if component.density_kg_m3 is not None:

@@ -14,6 +14,7 @@ from sitewright.building_model.check_references import order_problems, reference
 from sitewright.building_model.check_stock import stock_problems
 from sitewright.building_model.check_support import support_problems
 from sitewright.building_model.model import BuildingModel
+from sitewright.building_model.spelling import repetition_problems
 from sitewright.errors import Problem
 
 STRUCTURE_CODES = frozenset({"D1", "G6", "I2", "M4", "N1", "P1", "P2", "P3"})
@@ -21,6 +22,7 @@ STRUCTURE_CODES = frozenset({"D1", "G6", "I2", "M4", "N1", "P1", "P2", "P3"})
 
 _CHECKS: tuple[Callable[[BuildingModel], Iterable[Problem]], ...] = (
     reference_problems,
+    repetition_problems,
     order_problems,
     geometry_problems,
     scale_problems,

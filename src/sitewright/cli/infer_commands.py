@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from sitewright.app.model_changes import Change
+    from sitewright.foundation.canonical import Json
 
 _CONTACT = " contact "
 _SHOWN = 100
@@ -33,7 +34,8 @@ def infer(
     is_json: bool,  # noqa: FBT001 -- click
 ) -> int:
     """Infer contacts, supports, order, fasteners, grasps and stock; show what would change."""
-    from sitewright.app.inferring import BACKUP, infer_project
+    from sitewright.app.inferring import infer_project
+    from sitewright.app.model_writing import BACKUP
 
     out = Output(is_json)
     found = infer_project(project, rules=rules, write=write, cell=cell)
@@ -51,10 +53,7 @@ def infer(
         "sitewright.infer/1",
         {
             "is_written": found.is_written,
-            "changes": [
-                {"where": c.where, "key": c.key, "old": c.old, "new": c.new, "why": c.why}
-                for c in found.changes
-            ],
+            "changes": changes_json(found.changes),
             "problems": problems_json(found.problems),
         },
     )
@@ -105,6 +104,13 @@ def change_lines(changes: Sequence[Change]) -> Iterator[str]:
             yield f"~ {name}: {_short(change.old)} -> {_short(change.new)}{why}"
     if contacts:
         yield f"+ {sum(c.old is None for c in contacts)} contacts (--json lists them)"
+
+
+def changes_json(changes: Sequence[Change]) -> list[Json]:
+    """Return the diff as JSON, contacts too."""
+    return [
+        {"where": c.where, "key": c.key, "old": c.old, "new": c.new, "why": c.why} for c in changes
+    ]
 
 
 def _short(value: object) -> str:

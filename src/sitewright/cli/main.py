@@ -8,12 +8,13 @@ from collections.abc import Sequence
 
 import click
 
+from sitewright.cli.check_command import check
 from sitewright.cli.export_commands import export
 from sitewright.cli.failure import failed
 from sitewright.cli.import_command import import_
 from sitewright.cli.infer_commands import explain, infer
 from sitewright.cli.plan_commands import graph, plan, show
-from sitewright.cli.project_commands import check, new
+from sitewright.cli.project_commands import new
 from sitewright.cli.run_commands import demo, report, resolve, run
 from sitewright.cli.system_commands import doctor, version
 

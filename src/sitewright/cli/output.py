@@ -47,6 +47,7 @@ def problem_json(problem: Problem) -> dict[str, Json]:
         "message": problem.message,
         "fix": problem.fix,
         "source_id": problem.source_id,
+        "fixable": problem.is_fixable,
     }
 
 

@@ -1,4 +1,4 @@
-"""Commands about project folders: ``new`` and ``check``."""
+"""The command that makes a project folder to start from: ``new``."""
 
 from __future__ import annotations
 
@@ -6,10 +6,8 @@ from pathlib import Path
 
 import click
 
-from sitewright.cli.options import FOLDER, cell_option, json_option, project_argument
-from sitewright.cli.output import Output, problems_json
-
-_INVALID = 3
+from sitewright.cli.options import FOLDER, json_option
+from sitewright.cli.output import Output
 
 
 @click.command()
@@ -27,25 +25,3 @@ def new(folder: Path, example: str, is_json: bool) -> int:  # noqa: FBT001 -- cl
     out.line(f"Next: sitewright check {made}, then sitewright run {made}")
     out.document("sitewright.new/1", {"folder": str(made), "files": files})
     return 0
-
-
-@click.command()
-@project_argument
-@cell_option
-@json_option
-def check(project: Path, cell: Path | None, is_json: bool) -> int:  # noqa: FBT001 -- click
-    """List every problem of a project's files, with what to do about each."""
-    from sitewright.app.project import check as problems_in
-
-    out = Output(is_json)
-    problems = problems_in(project, cell=cell)
-    errors = sum(p.severity == "E" for p in problems)
-    warnings = len(problems) - errors
-    for problem in problems:
-        out.line(str(problem))
-    out.line(f"{errors} errors, {warnings} warnings.")
-    out.document(
-        "sitewright.check/1",
-        {"errors": errors, "warnings": warnings, "problems": problems_json(problems)},
-    )
-    return _INVALID if errors else 0

@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from sitewright.building_model.component import Component, Layer, Operation, Process
 from sitewright.building_model.findings import refused
 from sitewright.building_model.model import BuildingModel
-from sitewright.building_model.shapes import mass_of, shape_of, size_of
+from sitewright.building_model.shapes import (
+    DENSITY_KG_M3,
+    is_mass_known,
+    mass_of,
+    shape_of,
+    size_of,
+    volume_of,
+)
 from sitewright.building_model.validation import STRUCTURE_CODES, check_model
 from sitewright.construction_graph.reach import is_box_in_reach, is_point_in_reach
 from sitewright.errors import Problem, did_you_mean
@@ -18,6 +26,8 @@ from sitewright.robot_team.description import Description
 _DRIVEN = frozenset({Process.NAIL, Process.SCREW, Process.DRILL})
 _SAME_DIAMETER_M = 1e-4
 _TOOLED = _DRIVEN | {Process.PAINT}
+_STONE = "concrete"
+"""What a component of unknown material may be of."""
 
 Crew = list[tuple[Robot, EndEffector]]
 """Robots, each with an end effector that it can carry."""
@@ -59,7 +69,7 @@ def _target_problems(model: BuildingModel, cell: Cell, component: Component) -> 
 def _handling(
     model: BuildingModel, cell: Cell, component: Component, world_T_component: Pose
 ) -> Iterator[Problem]:
-    """Yield the first reason that leaves no robot to place a component."""
+    """Yield the reasons that leave no robot to place a component."""
     crew = _crew(cell, Capability.GRASPING, EndEffectorKind.GRIPPER)
     if not crew:
         yield refused(
@@ -68,26 +78,61 @@ def _handling(
         return
     holding = [(r, e) for r, e in crew if _grips(e, component)]
     if not holding:
-        ranges = ", ".join(f"{e.id} {_millimetres(e.grips_m or ())}" for _, e in crew)
-        section = " x ".join(f"{s * 1000:g}" for s in size_of(component)[1:])
-        message = f"No gripper holds its section of {section} mm ({ranges} mm)."
-        yield refused("Q2", component, message, "Add a gripper with a wider range.")
-        return
+        yield _too_wide(crew, component)
     mass_kg = mass_of(component, model.materials)
-    lifting = [(r, e) for r, e in holding if mass_kg + _mass_kg(e.description) <= _payload_kg(r)]
+    lifting = [c for c in holding or crew if mass_kg <= _left_kg(c)]
     if not lifting:
-        robot, gripper = max(holding, key=lambda c: _payload_kg(c[0]) - _mass_kg(c[1].description))
-        own_kg = _mass_kg(gripper.description)
-        message = (
-            f"It weighs {mass_kg:.1f} kg; with {gripper.id} ({own_kg:.1f} kg) "
-            f"that is more than the {_payload_kg(robot):g} kg of {robot.id}."
-        )
-        yield refused("Q1", component, message, "Use a stronger robot or a lighter component.")
-        return
-    if not any(is_box_in_reach(r, e, shape_of(component), world_T_component) for r, e in lifting):
-        names = ", ".join(sorted({r.id for r, _ in lifting}))
+        yield _too_heavy(holding or crew, component, f"It weighs {mass_kg:.1f} kg")
+    else:
+        yield from _heavier_than_thought(model, lifting, component)
+    able = [c for c in holding if c in lifting]
+    if able and not any(
+        is_box_in_reach(r, e, shape_of(component), world_T_component) for r, e in able
+    ):
+        names = ", ".join(sorted({r.id for r, _ in able}))
         message = f"No part of it is within reach of {names}."
         yield refused("Q4", component, message, "Move it, the model or a robot's base.")
+
+
+def _too_wide(crew: Crew, component: Component) -> Problem:
+    """Return Q2: what the grippers take, and what they should."""
+    ranges = ", ".join(f"{e.id} takes {_millimetres(e.grips_m or ())} mm" for _, e in crew)
+    sides = [f"{s * 1000:g}" for s in size_of(component)[1:]]
+    narrowest = f"{min(size_of(component)[1:]) * 1000:g}"
+    message = f"No gripper holds its section of {' x '.join(sides)} mm: {ranges}."
+    fix = f"Add a gripper to the cell that takes {narrowest} mm."
+    return refused("Q2", component, message, fix)
+
+
+def _too_heavy(crew: Crew, component: Component, weighs: str) -> Problem:
+    robot, gripper = max(crew, key=_left_kg)
+    own_kg = _mass_kg(gripper.description)
+    message = (
+        f"{weighs}; with {gripper.id} ({own_kg:.1f} kg) "
+        f"that is more than the {_payload_kg(robot):g} kg of {robot.id}."
+    )
+    return refused("Q1", component, message, "Use a stronger robot or a lighter component.")
+
+
+def _heavier_than_thought(
+    model: BuildingModel, crew: Crew, component: Component
+) -> Iterator[Problem]:
+    """Yield Q1 as a warning if a weight is a guess, and the robots could not lift stone."""
+    if is_mass_known(component, model.materials):
+        return
+    stone_kg = volume_of(component) * DENSITY_KG_M3[_STONE]
+    if any(stone_kg <= _left_kg(c) for c in crew):
+        return
+    taken_kg = mass_of(component, model.materials)
+    material = f"Its material {component.material!r} is not known" if component.material else ""
+    problem = _too_heavy(
+        crew,
+        component,
+        f"{material or 'It states no material'}: taken as timber it weighs {taken_kg:.0f} kg, "
+        f"as {_STONE} {stone_kg:.0f} kg",
+    )
+    fix = "State 'mass_kg', or a 'material' whose density is known."
+    yield replace(problem, severity="W", fix=fix)
 
 
 def _tooling(
@@ -161,6 +206,12 @@ def _millimetres(span_m: tuple[float, ...]) -> str:
 
 def _mass_kg(description: Description) -> float:
     return sum(link.mass_kg for link in description.links)
+
+
+def _left_kg(pair: tuple[Robot, EndEffector]) -> float:
+    """Return what a robot can lift with an end effector on."""
+    robot, end_effector = pair
+    return _payload_kg(robot) - _mass_kg(end_effector.description)
 
 
 def _payload_kg(robot: Robot) -> float:

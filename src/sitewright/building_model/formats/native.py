@@ -33,6 +33,24 @@ def read_building(path: Path | str, *, is_exported: bool = False) -> BuildingMod
         is_exported: It is an exported state (`as_built.json`), so as-built records may stand
             in it; in a design they are an error.
     """
+    model, problems = read_as_written(path, is_exported=is_exported)
+    if any(p.severity == "E" and p.code in STRUCTURE_CODES for p in problems):
+        raise ModelRejectedError(Path(path).name, problems)
+    return model
+
+
+def read_as_written(
+    path: Path | str, *, is_exported: bool = False
+) -> tuple[BuildingModel, list[Problem]]:
+    """Return a model with what is wrong with it, also if it refers to what is not there.
+
+    Args:
+        path: The file.
+        is_exported: As for `read_building`.
+
+    Raises:
+        ModelRejectedError: The file is no building model at all, or an id stands twice.
+    """
     path = Path(path)
     text = read_text(path)
     if isinstance(text, Problem):
@@ -46,7 +64,8 @@ def read_building(path: Path | str, *, is_exported: bool = False) -> BuildingMod
     problems = _without_echo(problems, more)
     if file is None or problems:
         raise ModelRejectedError(path.name, problems)
-    return _checked(path, file, is_exported=is_exported)
+    model = model_from(file)
+    return model, [*check_model(model), *(() if is_exported else _as_built_in_design(model))]
 
 
 def write_building(model: BuildingModel, path: Path | str) -> None:
@@ -128,16 +147,6 @@ def _repeated(kind: str, ids: Iterable[str]) -> list[Problem]:
         for identity, count in sorted(Counter(ids).items())
         if count > 1
     ]
-
-
-def _checked(path: Path, file: BuildingFile, *, is_exported: bool) -> BuildingModel:
-    model = model_from(file)
-    problems = check_model(model)
-    if not is_exported:
-        problems += _as_built_in_design(model)
-    if any(p.severity == "E" and p.code in STRUCTURE_CODES for p in problems):
-        raise ModelRejectedError(path.name, problems)
-    return model
 
 
 def _as_built_in_design(model: BuildingModel) -> list[Problem]:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from sitewright.building_model.check_support import hanging
 from sitewright.building_model.component import Component, Layer, Origin
+from sitewright.building_model.findings import refused, warned
 from sitewright.building_model.inference.facing import surroundings_of
 from sitewright.building_model.inference.marks import marked_types
 from sitewright.building_model.inference.order import Arrival, arrivals, floating
@@ -56,9 +58,11 @@ def infer_assembly(
 def _arriving(target: Component, arrival: Arrival, statics: Statics, word: str) -> Component:
     origins = dict(target.origins)
     is_grounded = arrival.id in statics.ground
-    origins["order"] = (Origin.INFERRED, _why_now(arrival))
-    origins["construction_parents"] = (Origin.INFERRED, _why_these(arrival, is_grounded))
-    if is_grounded:
+    if target.order is None:
+        origins["order"] = (Origin.INFERRED, _why_now(arrival))
+    if not target.construction_parents:
+        origins["construction_parents"] = (Origin.INFERRED, _why_these(arrival, is_grounded))
+    if is_grounded and not target.ground:
         origins["ground"] = (
             Origin.INFERRED,
             f"its lowest point is within 5 mm of the lowest of all ({statics.ground_m:.3f} m)",
@@ -153,54 +157,21 @@ def _rounded(vector: tuple[float, float, float]) -> list[float]:
 def _problems(
     targets: Mapping[ComponentId, Component], statics: Statics, coming: list[Arrival]
 ) -> list[Problem]:
-    problems = [
-        _problem(
-            "F2",
-            "E",
-            targets[i],
-            "it would stand on nothing: no joined beam leads down to the ground.",
-            "Join it, or add falsework ('temporary_support'); it is not placed.",
-        )
-        for i in floating(statics)
+    nowhere = "It would stand on nothing: no joined beam leads down to the ground."
+    falsework = "Join it, or add falsework ('temporary_support'); it is not placed."
+    locked = "The beams built before it leave it no straight way in."
+    unseen = "It is no box and was not looked at."
+    return [
+        *(refused("F2", targets[i], nowhere, falsework) for i in floating(statics)),
+        *(hanging(targets[a.id]) for a in coming if a.is_hanging),
+        *(
+            warned("F3", targets[a.id], locked, "Give 'order' so that it comes earlier.")
+            for a in coming
+            if a.way is None
+        ),
+        *(
+            warned("G7", c, unseen, "State its parents and order.")
+            for i, c in targets.items()
+            if i not in statics.solid_by_id
+        ),
     ]
-    problems += [
-        _problem(
-            "F1",
-            "W",
-            targets[a.id],
-            "it has no support below: it needs hold until fastened.",
-            "Fastening is not planned here; give it operations.",
-        )
-        for a in coming
-        if a.is_hanging
-    ]
-    problems += [
-        _problem(
-            "F3",
-            "W",
-            targets[a.id],
-            "the beams built before it leave it no straight way in.",
-            "Give 'order' so that it comes earlier.",
-        )
-        for a in coming
-        if a.way is None
-    ]
-    problems += [
-        _problem(
-            "G7", "W", c, "it is no box and was not looked at.", "State its parents and order."
-        )
-        for i, c in targets.items()
-        if i not in statics.solid_by_id
-    ]
-    return problems
-
-
-def _problem(code: str, severity: str, component: Component, message: str, fix: str) -> Problem:
-    return Problem(
-        code=code,
-        severity=severity,
-        where=component.name or component.id,
-        message=message,
-        fix=fix,
-        source_id=component.source.id if component.source is not None else "",
-    )

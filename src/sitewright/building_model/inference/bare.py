@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from sitewright.building_model.component import Component, Layer, Origin
+from sitewright.building_model.component import Component, Layer, Origin, is_given
 from sitewright.building_model.model import BuildingModel, Relation, RelationKind, Stack
 from sitewright.foundation.ids import ComponentId
 
@@ -34,11 +34,6 @@ def without_inferred(model: BuildingModel) -> BuildingModel:
 def _is_kept(relation: Relation) -> bool:
     """Whether a relation is not ours to infer again: joints come from the importer only."""
     return relation.origin is Origin.GIVEN or relation.kind is RelationKind.CONNECTION
-
-
-def is_given(component: Component, fact: str) -> bool:
-    """Whether a field was stated by the author."""
-    return component.origins.get(fact, (Origin.GIVEN, ""))[0] is Origin.GIVEN
 
 
 def _is_made(component: Component) -> bool:

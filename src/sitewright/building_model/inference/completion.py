@@ -7,7 +7,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sitewright.building_model.component import BoxGeometry, Component, Layer, Origin, Process
+from sitewright.building_model.check_support import fasteners_that_hold, hanging
+from sitewright.building_model.component import BoxGeometry, Component, Layer, Origin
 from sitewright.building_model.findings import refused, warned
 from sitewright.building_model.inference.assembly import infer_assembly
 from sitewright.building_model.inference.bare import without_inferred
@@ -37,10 +38,7 @@ from sitewright.foundation.pose import Vector
 
 GRIPS_M = ((0.03, 0.20),)
 """Grip range if no gripper is known."""
-_HELD_BY = 2
-"""So many fasteners, if there are as many, hold a component before the robot lets go."""
 _COVERED = "its fasteners go in where the other one will cover them"
-_FASTENING = frozenset({Process.NAIL, Process.SCREW})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -145,6 +143,7 @@ def _nailed(
     held = {r.b for r in frame.relations if r.kind is RelationKind.HOLD}
     made = {i: _fastened(components[i], fastening) for i in fastening.operations}
     made = {i: _hanging(c) if i in held else c for i, c in made.items()}
+    problems = [_with_fasteners(p, made) for p in problems]
     why = {"why": _COVERED}
     known = {(r.a, r.b) for r in frame.relations if r.kind is RelationKind.BEFORE}
     relations = [
@@ -157,6 +156,12 @@ def _nailed(
         component_by_id={**frame.component_by_id, **made},
         relations=(*frame.relations, *relations),
     ), [*problems, *fastening.problems]
+
+
+def _with_fasteners(problem: Problem, made: Mapping[ComponentId, Component]) -> Problem:
+    """Return what is still to be said of a hanging beam once rules have fastened it."""
+    component = made.get(ComponentId(problem.where))
+    return hanging(component) if component is not None and problem.code == "F1" else problem
 
 
 def _hanging(component: Component) -> Component:
@@ -199,12 +204,12 @@ def _held(component: Component, bearing: Bearing, sequence: Assembling) -> Compo
 
 
 def _held_for(component: Component, why: str) -> Component:
-    fasteners = [o for o in component.operations if o.process in _FASTENING]
-    if component.hold_until_fasteners or not fasteners:
+    count = fasteners_that_hold(component)
+    if component.hold_until_fasteners or not count:
         return component
     return replace(
         component,
-        hold_until_fasteners=min(_HELD_BY, len(fasteners)),
+        hold_until_fasteners=count,
         origins={**component.origins, "hold_until_fasteners": (Origin.INFERRED, why)},
     )
 
@@ -258,10 +263,7 @@ def _open_points(
             fix = "Add falsework ('temporary_support'), a rule or an operation."
             problems.append(refused("F2", component, message, fix))
         elif step.id in sequence.hanging:
-            held = made[step.id].hold_until_fasteners
-            message = "Nothing carries it from below: it is held until it is fastened."
-            fix = "Check 'hold_until_fasteners'." if held else "Give it operations, or a rule."
-            problems.append(warned("F1", component, message, fix))
+            problems.append(hanging(made[step.id]))
         if step.direction is None:
             message = "What is built before it leaves it no straight way in."
             problems.append(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sitewright.building_model.component import Component
+from sitewright.building_model.component import Component, Layer, is_given
 from sitewright.building_model.findings import warned
 from sitewright.building_model.inference.carrying import GROUND_M, Bearing, lowest_m
 from sitewright.building_model.inference.order_facts import Assembling
@@ -19,18 +19,27 @@ def contradictions(
     model: BuildingModel, bearing: Bearing, sequence: Assembling
 ) -> Iterator[Problem]:
     """Yield one problem for each stated fact that the geometry speaks against."""
+    yield from stated_contradictions(model, bearing)
+    for i in sequence.steps:
+        yield from _order(model, model.component_by_id[i], bearing, sequence)
+
+
+def stated_contradictions(model: BuildingModel, bearing: Bearing) -> Iterator[Problem]:
+    """Yield the contradictions that show without an order: parents and ground."""
     if model.ground_z_m and abs(model.ground_z_m - bearing.ground_m) > GROUND_M:
         message = f"Nothing stands on the stated ground; the lowest is at {bearing.ground_m:.3f} m."
         fix = "Correct 'ground_z_m', or move the model."
         yield Problem(code=CODE, severity="W", where="build", message=message, fix=fix)
-    for i in sequence.steps:
+    for i in bearing.bodies:
         component = model.component_by_id[i]
-        yield from _parents(component, bearing)
-        yield from _ground(component, bearing)
-        yield from _order(model, component, bearing, sequence)
+        if component.layer is Layer.TARGET:
+            yield from _parents(component, bearing)
+            yield from _ground(component, bearing)
 
 
 def _parents(component: Component, bearing: Bearing) -> Iterator[Problem]:
+    if not is_given(component, "construction_parents"):
+        return
     near = bearing.touching[component.id].keys() | bearing.joined[component.id]
     for parent in component.construction_parents:
         if parent in bearing.bodies and parent not in near:
@@ -40,7 +49,7 @@ def _parents(component: Component, bearing: Bearing) -> Iterator[Problem]:
 
 def _ground(component: Component, bearing: Bearing) -> Iterator[Problem]:
     above_m = lowest_m(bearing.bodies[component.id], bearing.up) - bearing.ground_m
-    if component.ground and above_m > GROUND_M:
+    if component.ground and is_given(component, "ground") and above_m > GROUND_M:
         message = f"It is said to stand on the ground, but ends {above_m * 1000:.0f} mm above it."
         yield warned(CODE, component, message, "Check its pose, or remove 'ground'.")
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from sitewright.building_model.component import Component, Layer
-from sitewright.building_model.inference.bare import is_given
+from sitewright.building_model.component import Component, Layer, is_given
 from sitewright.building_model.inference.stock import piece_id
 from sitewright.building_model.matching import fits, material_type_of
 from sitewright.building_model.model import BuildingModel
