@@ -34,9 +34,20 @@ def check(path: Path | str, *, cell: Path | str | None = None) -> list[Problem]:
     cell_file = folder / (cell or CELL)
     require_project(folder, cell_file)
     model, found = _model_of(folder / BUILDING)
-    team, wrong = _cell_of(cell_file)
     if model is None:
-        return _sorted([*found, *wrong])
+        return _sorted([*found, *_cell_of(cell_file)[1]])
+    return _checked(folder, cell_file, model, found)
+
+
+def check_model_file(folder: Path, cell_file: Path, model: BuildingModel) -> list[Problem]:
+    """Return every problem of a project as if its building file held this model."""
+    return _checked(folder, cell_file, model, check_model(model))
+
+
+def _checked(
+    folder: Path, cell_file: Path, model: BuildingModel, found: list[Problem]
+) -> list[Problem]:
+    team, wrong = _cell_of(cell_file)
     if any(is_structural(p) for p in found):
         found = marked_fixable(model, found)
     elif team is None:

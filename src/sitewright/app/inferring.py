@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sitewright.app.model_changes import Change, changes_between, given_facts_changed
+from sitewright.app.model_writing import write_changed
 from sitewright.app.project import BUILDING, CELL, ProjectError
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.inference.completion import Surroundings, complete

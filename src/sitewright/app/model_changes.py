@@ -9,7 +9,7 @@ from typing import Any
 from sitewright.building_model.component import Component, Layer, Origin
 from sitewright.building_model.formats.to_file import document_of
 from sitewright.building_model.model import BuildingModel
-from sitewright.foundation.canonical import Json
+from sitewright.foundation.canonical import Json, canonical_json
 from sitewright.foundation.ids import ComponentId
 
 Document = dict[str, Any]
@@ -98,8 +98,9 @@ def patched(raw: Mapping[str, Any], before: BuildingModel, after: BuildingModel)
         if old.get(name) != new.get(name):
             result[name] = _merged_list(raw.get(name, []), old.get(name, []), new.get(name, []))
     if old.get("relations") != new.get("relations"):
-        kept = {_key(o): r for o, r in zip(old.get("relations", []), raw.get("relations", []))}  # noqa: B905 - equal if there are any
-        result["relations"] = [kept.get(_key(n), n) for n in new.get("relations", [])]
+        pairs = zip(old.get("relations", []), raw.get("relations", []))  # noqa: B905 - equal if there are any
+        kept = {canonical_json(o): r for o, r in pairs}
+        result["relations"] = [kept.get(canonical_json(n), n) for n in new.get("relations", [])]
     for key in sorted((old.keys() | new.keys()) - {*_LISTS, "relations"}):
         if old.get(key) != new.get(key):
             result[key] = new.get(key, [])
@@ -135,12 +136,29 @@ def _entry(
 
 
 def _relations(old: Sequence[Document], new: Sequence[Document]) -> list[Change]:
-    one, other = {_key(r): r for r in old}, {_key(r): r for r in new}
+    one, other = _by_key(old), _by_key(new)
     return [
-        Change(where=f"{k[1]} {k[0]} {k[2]}", key="", old=one.get(k), new=other.get(k))
+        Change(
+            where=f"{k[1]} {k[0]} {k[2]}",
+            key="",
+            old=_single(one.get(k)),
+            new=_single(other.get(k)),
+        )
         for k in sorted(one.keys() | other.keys())
         if one.get(k) != other.get(k)
     ]
+
+
+def _by_key(relations: Sequence[Document]) -> dict[tuple[str, str, str], list[Document]]:
+    found: dict[tuple[str, str, str], list[Document]] = {}
+    for relation in relations:
+        found.setdefault(_key(relation), []).append(relation)
+    return found
+
+
+def _single(relations: list[Document] | None) -> Json:
+    """Return what stands of one kind between two components: as a rule one relation."""
+    return relations[0] if relations is not None and len(relations) == 1 else relations
 
 
 def _key(relation: Mapping[str, Any]) -> tuple[str, str, str]:
