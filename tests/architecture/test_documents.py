@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from sitewright.building_model.codes import CODES
+
 ROOT = Path(__file__).parents[2]
 DECISIONS = ROOT / "docs" / "decisions"
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
@@ -52,3 +54,13 @@ def test_the_lock_files_name_no_index_and_hash_everything() -> None:
         blocks = re.split(r"^(?=\S+==)", text, flags=re.MULTILINE)[1:]
         assert len(pins) == len(blocks) > 20
         assert all("--hash=sha256:" in b for b in blocks)
+
+
+def test_every_code_of_a_problem_is_in_the_page_about_checks() -> None:
+    page = (ROOT / "docs" / "check.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"\b[A-Z][0-9]\b", page))
+    for letter, first, last in re.findall(r"\b([A-Z])([0-9])-\1([0-9])\b", page):
+        named |= {f"{letter}{n}" for n in range(int(first), int(last) + 1)}
+    of_cells = {"K1", "K2", "K3", "L1", "L2", "L3"}
+    assert set(CODES) - of_cells - named == set()
+    assert named - set(CODES) - {"I1"} == set()

@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 
-from sitewright.app.project import check, open_project
+from sitewright.app.checking import check
+from sitewright.app.project import open_project
 from sitewright.errors import ModelRejectedError
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "wooden_frame"

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from builders_ifc import lying_frame
+from sitewright.app.checking import check
 from sitewright.app.importing import ImportOptions, import_file, read_design
 from sitewright.app.inferring import infer_project
 from sitewright.app.planning import plan_project
-from sitewright.app.project import check, example_folder, open_project
+from sitewright.app.project import example_folder, open_project
 from sitewright.building_model.as_built import InstallRecord, fold
 from sitewright.building_model.component import BoxGeometry, Component, Layer
 from sitewright.building_model.formats.ifc_export import export_ifc

@@ -12,8 +12,9 @@ from sitewright.app.clock import SystemClock
 from sitewright.app.event_log import EventLog
 from sitewright.app.ids import UuidSource
 from sitewright.app.importing import ImportOptions, read_design
-from sitewright.app.inferring import BACKUP, infer_project
+from sitewright.app.inferring import infer_project
 from sitewright.app.locks import locked
+from sitewright.app.model_writing import BACKUP
 from sitewright.app.project import new_project
 from sitewright.app.run_folder import next_run_folder
 from sitewright.building_model.formats.native import read_building

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from sitewright.app.project import check, example_folder, open_project
+from sitewright.app.checking import check
+from sitewright.app.project import example_folder, open_project
 from sitewright.errors import ModelRejectedError
 
 

@@ -63,7 +63,9 @@ def test_too_heavy_is_told_with_the_figures() -> None:
 
 def test_too_wide_for_every_gripper_is_told() -> None:
     wide = changed(STUD, geometry=BoxGeometry((1.8, 0.30, 0.20)))
-    assert "300 x 200 mm (gripper-s 30-140 mm)" in the("Q2", check_project(wide, cell())).message
+    assert (
+        "300 x 200 mm: gripper-s takes 30-140 mm" in the("Q2", check_project(wide, cell())).message
+    )
 
 
 def test_a_fastener_that_no_tool_drives_is_told_with_what_there_is() -> None:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from sitewright.app.checking import check
 from sitewright.app.engines import identity_of
 from sitewright.app.planning import start_of
 from sitewright.app.project import (
@@ -14,7 +15,6 @@ from sitewright.app.project import (
     EXAMPLES,
     SETTINGS,
     ProjectError,
-    check,
     example_folder,
     is_usable,
     new_project,

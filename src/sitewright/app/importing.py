@@ -9,6 +9,7 @@ from dataclasses import asdict, dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
+from sitewright.app.import_notes import notes_file
 from sitewright.app.import_options import demand_meaning
 from sitewright.app.import_records import IMPORTS, with_record
 from sitewright.app.project import BUILDING, CELL, ProjectError, example_folder
@@ -102,6 +103,7 @@ def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> 
     has_new_cell = not (out / CELL).exists()
     if has_new_cell:
         kept[CELL] = (example_folder(_CELL_EXAMPLE) / CELL).read_bytes()
+    kept |= notes_file(problems)
     write_project(out, {**kept, BUILDING: laid_out(document_of(model)).encode()})
     return ImportResult(
         folder=out,

@@ -52,13 +52,14 @@ def scale_problems(model: BuildingModel) -> Iterator[Problem]:
         return
     length_m = median(max(size_of(c)) for c in sound)
     if not _USUAL_M[0] <= length_m <= _USUAL_M[1]:
-        size = "large" if length_m > _USUAL_M[1] else "small"
+        is_large = length_m > _USUAL_M[1]
+        size, unit = ("large", "mm") if is_large else ("small", "m")
         yield Problem(
             code="U2",
             severity="W",
             where=model.name or "model",
             message=f"The median length is {length_m:.4g} m (usual 0.05-30).",
-            fix=f"If it is not that {size}: import it again with the right --unit.",
+            fix=f"If it is not that {size}: import it again with the right --unit ({unit}?).",
         )
     far_m = max(max(abs(x) for x in c.world_T_component.position_m) for c in sound)
     if far_m > _FAR_M:

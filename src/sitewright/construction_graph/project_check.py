@@ -26,6 +26,8 @@ from sitewright.robot_team.description import Description
 _DRIVEN = frozenset({Process.NAIL, Process.SCREW, Process.DRILL})
 _SAME_DIAMETER_M = 1e-4
 _TOOLED = _DRIVEN | {Process.PAINT}
+_SLENDER = 4.0
+"""What is this many times longer than wide is a beam or a stud, and no block."""
 _STONE = "concrete"
 """What a component of unknown material may be of."""
 
@@ -118,7 +120,9 @@ def _heavier_than_thought(
     model: BuildingModel, crew: Crew, component: Component
 ) -> Iterator[Problem]:
     """Yield Q1 as a warning if a weight is a guess, and the robots could not lift stone."""
-    if is_mass_known(component, model.materials):
+    length_m, *section_m = size_of(component)
+    is_slender = length_m > _SLENDER * max(section_m)
+    if is_slender or is_mass_known(component, model.materials):
         return
     stone_kg = volume_of(component) * DENSITY_KG_M3[_STONE]
     if any(stone_kg <= _left_kg(c) for c in crew):
