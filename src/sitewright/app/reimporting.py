@@ -15,9 +15,10 @@ from sitewright.app.event_log import EventLog
 from sitewright.app.ids import UuidSource
 from sitewright.app.import_records import imported_source, read_record
 from sitewright.app.importing import ImportOptions, keeping_record, read_design
-from sitewright.app.inferring import BACKUP, OpenRunError, surroundings_of
+from sitewright.app.inferring import surroundings_of
 from sitewright.app.locks import locked
 from sitewright.app.model_changes import Change, changes_between, patched
+from sitewright.app.model_writing import BACKUP, OpenRunError
 from sitewright.app.project import BUILDING, CELL, ProjectError
 from sitewright.app.reinferring import inferred_anew, is_inferred, stated_facts, with_stock_of
 from sitewright.app.run import fold_of, newest_run

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 
-from sitewright.building_model.component import Component, Layer, Origin
-from sitewright.building_model.inference.bare import is_given, without_inferred
+from sitewright.building_model.component import Component, Layer, Origin, is_given
+from sitewright.building_model.inference.bare import without_inferred
 from sitewright.building_model.inference.completion import (
     Surroundings,
     complete,

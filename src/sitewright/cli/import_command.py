@@ -114,7 +114,7 @@ def _changed(file: Path, folder: Path, options: ImportOptions, wishes: Wishes, o
 
 
 def _summary(found: Reimport) -> str:
-    from sitewright.app.inferring import BACKUP
+    from sitewright.app.model_writing import BACKUP
     from sitewright.central_controller.fingerprint import check_code
 
     count = len(found.changes)
