@@ -44,7 +44,7 @@ def write_changed(folder: Path, data: bytes, before: BuildingModel, after: Build
     file = folder / BUILDING
     document = patched(json.loads(data.decode("utf-8-sig")), before, after)
     text = laid_out(document)
-    _require_readable(text, after)
+    require_readable(text, after)
     with locked(folder / "runs" / "lock", "The project"):
         _refuse_open_run(folder, before)
         if file.read_bytes() != data:
@@ -53,7 +53,7 @@ def write_changed(folder: Path, data: bytes, before: BuildingModel, after: Build
         write_whole(file, text.encode())
 
 
-def _require_readable(text: str, expected: BuildingModel) -> None:
+def require_readable(text: str, expected: BuildingModel) -> None:
     """Read the new text back before anything is written; it must mean what was inferred."""
     with tempfile.TemporaryDirectory(prefix="sitewright-") as scratch:
         trial = Path(scratch) / BUILDING

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import json
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
@@ -18,7 +17,7 @@ from sitewright.app.importing import ImportOptions, keeping_record, read_design
 from sitewright.app.inferring import surroundings_of
 from sitewright.app.locks import locked
 from sitewright.app.model_changes import Change, changes_between, patched
-from sitewright.app.model_writing import BACKUP, OpenRunError
+from sitewright.app.model_writing import BACKUP, OpenRunError, require_readable
 from sitewright.app.project import BUILDING, CELL, ProjectError
 from sitewright.app.reinferring import inferred_anew, is_inferred, stated_facts, with_stock_of
 from sitewright.app.run import fold_of, newest_run
@@ -123,20 +122,16 @@ def reimport_file(
         OpenRunError: A step of the open run is under way or in question; only when writing.
     """
     wishes = wishes or Wishes()
-    with _held(folder) if wishes.write else nullcontext():
+    lock = locked(folder / "runs" / "lock", "The project") if wishes.write else nullcontext()
+    with lock:
         data = (folder / BUILDING).read_bytes()
         history = _history(folder)
         if wishes.write:
             _refuse_motion(folder, history)
         found, kept = _merged(file, folder, options, wishes, history)
-        if not wishes.write or found.is_refused or not _differs(found):
+        if not wishes.write or found.is_refused or not found.changes:
             return found
         return _written(folder, data, found, kept, history)
-
-
-def _differs(found: Reimport) -> bool:
-    """Whether a fact differs; another name or hash of the file alone is none."""
-    return bool(found.changes)
 
 
 def _merged(
@@ -269,19 +264,13 @@ def _refuse_motion(folder: Path, history: _History) -> None:
     )
 
 
-@contextmanager
-def _held(folder: Path) -> Iterator[None]:
-    with locked(folder / "runs" / "lock", "The project"):
-        yield
-
-
 def _written(
     folder: Path, data: bytes, found: Reimport, kept: dict[str, bytes], history: _History
 ) -> Reimport:
     """Write record and building, the building last, and tell the open run."""
     document = patched(json.loads(data.decode("utf-8-sig")), found.before, found.after)
     text = laid_out(document)
-    _require_meant(text, found.after)
+    require_readable(text, found.after)
     if history.run is not None:
         keep_design(folder)
     for path, content in kept.items():
@@ -290,17 +279,6 @@ def _written(
     write_whole(folder / BACKUP, data)
     write_whole(folder / BUILDING, text.encode())
     return replace(found, is_written=True, superseded=_tell(text, found, history))
-
-
-def _require_meant(text: str, expected: BuildingModel) -> None:
-    """Read the new text back before anything is written; it must mean what was merged."""
-    with tempfile.TemporaryDirectory(prefix="sitewright-") as scratch:
-        trial = Path(scratch) / BUILDING
-        trial.write_text(text, encoding="utf-8")
-        again = read_building(trial)
-    if differing := changes_between(again, expected):
-        where = ", ".join(f"{c.where}.{c.key}".strip(".") for c in differing[:3])
-        raise ProjectError(f"The merged design does not survive writing: {where}.")
 
 
 def _tell(text: str, found: Reimport, history: _History) -> str:
