@@ -11,20 +11,12 @@ import pytest
 from motion_scenes import HOME, kr120
 from sitewright.errors import TeamError
 from sitewright.foundation.pose import Pose, from_axis_angle, rotation, translation
-from sitewright.planning_twin.backends.kinematic_chain import (
-    chain_of,
-    distinct,
-    matrix_of,
-    pose_of,
-)
+from sitewright.planning_twin.backends.kinematic_chain import chain_of, matrix_of, pose_of
 from sitewright.planning_twin.backends.numeric_kinematics import NumericSolver
-from sitewright.planning_twin.backends.opw_geometry import opw_geometry
-from sitewright.planning_twin.backends.opw_kinematics import (
-    OpwKinematics,
-    OpwSolver,
-    solver_of,
-    wrapped,
-)
+from sitewright.planning_twin.backends.opw_geometry import OpwGeometry, opw_geometry
+from sitewright.planning_twin.backends.opw_kinematics import OpwKinematics, solver_of
+from sitewright.planning_twin.backends.opw_solver import OpwSolver
+from sitewright.planning_twin.backends.whole_turns import distinct, wrapped
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.robot_team.description import Description, Joint, Joints, Link
 from sitewright.robot_team.kinematics import tip_pose
@@ -57,7 +49,7 @@ def test_frames_in_arrays_equal_the_plain_forward_kinematics() -> None:
 
 def test_the_lengths_of_the_kr_120_are_read_off_its_description() -> None:
     geometry = opw_geometry(chain_of(kr120()))
-    assert geometry is not None
+    assert isinstance(geometry, OpwGeometry)
     assert geometry.lengths_m == pytest.approx((0.35, 0.041, 0.0, 0.675, 1.15, 1.0, 0.215))
     assert geometry.offsets_rad == pytest.approx((0.0, -math.pi / 2.0, 0.0, 0.0, 0.0, 0.0))
     assert geometry.is_flipped == (True, False, False, True, False, True)
@@ -177,7 +169,7 @@ def test_an_arm_without_closed_form_is_solved_by_iterations() -> None:
 def test_iterations_repeat_to_the_bit() -> None:
     solver = NumericSolver(chain_of(skewed_arm()))
     target = matrix_of(tip_pose(skewed_arm(), HOME))
-    first, second = (solver.branches(target, np.zeros(6)) for _ in range(2))
+    first, second = (solver.postures(target, np.zeros(6)) for _ in range(2))
     assert not isinstance(first, NoIk)
     assert not isinstance(second, NoIk)
     assert (first == second).all()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
@@ -13,7 +12,8 @@ from sitewright.planning_twin.motion import PathSegment, PlanningBackends
 from sitewright.planning_twin.refusal import BlockedBy, NoIk
 from sitewright.planning_twin.scene import Pair, SceneSnapshot
 from sitewright.planning_twin.straight import straight_line
-from sitewright.robot_team.description import Joints
+from sitewright.robot_team.description import Description, Joints
+from sitewright.robot_team.kinematics import without_turns
 
 NEAR_M = 0.030
 """Declared contacts may be touched only on the last (first) stretch of this length."""
@@ -21,7 +21,6 @@ PRE_M = 0.120
 """The pre-pose stands this far off the contact pose."""
 CONTACT_M = -0.001
 """Threshold of a declared contact: sensed poses may overlap by this much."""
-_TURN_DIGITS = 6
 NEIGHBOUR_M = 0.001
 """Threshold of a declared neighbour: near, but never touching."""
 
@@ -86,6 +85,11 @@ class Reaching:
     scene: SceneSnapshot
     robot: RobotId
 
+    @property
+    def description(self) -> Description:
+        """The arm that reaches."""
+        return self.scene.robots[self.robot].description
+
     def solve(self, world_T_tip: Pose, near_rad: Joints) -> tuple[Joints, ...] | NoIk:
         """Return all postures for a tip pose, the nearest first."""
         arm = self.scene.robots[self.robot]
@@ -146,7 +150,7 @@ class Approaches:
         )
 
     def _approach(self, contact_rad: Joints) -> Approach | None:
-        shape = without_turns(contact_rad)
+        shape = without_turns(self.reaching.description, contact_rad)
         if shape in self._blocked:
             return None
         if pairs := self.reaching.violations(contact_rad, self.touch.near_m):
@@ -161,11 +165,6 @@ class Approaches:
             self._blocked[shape] = pairs
             return None
         return approach
-
-
-def without_turns(q_rad: Joints) -> Joints:
-    """Return a posture as the arm looks in it: whole turns of a joint make no difference."""
-    return tuple(round(math.remainder(q, 2.0 * math.pi), _TURN_DIGITS) for q in q_rad)
 
 
 def straight_approach(reaching: Reaching, touch: Touch, contact_rad: Joints) -> Approach | NoIk:

@@ -8,7 +8,6 @@ from dataclasses import replace
 
 from sitewright.foundation.ids import ComponentId, OperationId
 from sitewright.foundation.pose import Pose
-from sitewright.planning_twin.approach import without_turns
 from sitewright.planning_twin.grasp_trial import GraspTrial, grasp_trial
 from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk, PayloadExceeded, Refusal
@@ -23,6 +22,7 @@ from sitewright.planning_twin.tacking import (
 from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
+from sitewright.robot_team.kinematics import without_turns
 
 _TACKS = "fasten while held"
 _PATIENCE = 6
@@ -66,7 +66,7 @@ def find_holding(
         trial = grasp_trial(context, robot, tool, piece, candidates[rank])
         insufficient: set[Joints] = set()
         for holding in _serving(trial, rank, dropped):
-            shape = without_turns(holding.hold_rad)
+            shape = without_turns(robot.description, holding.hold_rad)
             is_tried = any(h.hold_rad == holding.hold_rad and h.rank == rank for h in tried)
             if is_tried or shape in insufficient:
                 continue

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from enum import StrEnum
 from typing import Protocol
 
 from sitewright.foundation.canonical import canonical_json, sha256_hex
@@ -179,8 +180,39 @@ class PlannedMotion:
     scene_edits: Mapping[BodyId, Pose | Attachment] = field(default_factory=dict)
 
 
+class InverseKind(StrEnum):
+    """How the inverse kinematics of an arm are solved."""
+
+    CLOSED_FORM = "closed form"
+    CLOSED_FORM_ON_RAILS = "closed form at sampled positions of its rails"
+    ITERATIONS = "iterations"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ArmVerdict:
+    """How an arm was judged when it was loaded.
+
+    Attributes:
+        joints: How many joints move, rails included.
+        rails: How many joints slide before the first one that turns.
+        fk_error: Largest difference between the closed form and the URDF's own forward
+            kinematics that was seen; 0 if there was none to compare.
+        reason: Why there is no closed form; empty if there is.
+    """
+
+    kind: InverseKind
+    joints: int
+    rails: int = 0
+    fk_error: float = 0.0
+    reason: str = ""
+
+
 class Kinematics(Protocol):
     """Forward and inverse kinematics of one description."""
+
+    def verdict(self, description: Description) -> ArmVerdict:
+        """Return how the arm's inverse kinematics are solved, and why so."""
+        ...
 
     def tip(self, description: Description, q_rad: Joints) -> Pose:
         """Return base_T_tip of a posture."""
@@ -189,7 +221,14 @@ class Kinematics(Protocol):
     def solve(
         self, description: Description, base_T_tip: Pose, near_rad: Joints
     ) -> tuple[Joints, ...] | NoIk:
-        """Return all solutions inside the limits, wraps included, the nearest first."""
+        """Return all solutions inside the limits, wraps included, the nearest first.
+
+        Of an arm with more joints than a pose needs: those that were found.
+        """
+        ...
+
+    def follow(self, description: Description, base_T_tip: Pose, near_rad: Joints) -> Joints | NoIk:
+        """Return the solution for a pose a short way on; rails stay where `near_rad` has them."""
         ...
 
 

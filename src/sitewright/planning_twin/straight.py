@@ -105,8 +105,7 @@ class _Line:
         here = self._kinematics.tip(self._description, near_rad)
         if here.distance_to_m(pose) < _SAME_M and here.angle_to_rad(pose) < _SAME_RAD:
             return near_rad
-        found = self._kinematics.solve(self._description, pose, near_rad)
-        return found if isinstance(found, NoIk) else found[0]
+        return self._kinematics.follow(self._description, pose, near_rad)
 
     def allowed_jump_rad(self, share: float) -> float:
         """Return how far a joint may turn on a share of the line."""

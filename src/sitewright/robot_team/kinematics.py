@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 from sitewright.foundation.pose import Pose, rotation, scale
 from sitewright.robot_team.description import Description, Joint, JointKind, Joints
+
+_DIGITS = 6
 
 
 def link_poses(description: Description, q: Joints) -> dict[str, Pose]:
@@ -27,6 +31,17 @@ def tip_pose(description: Description, q: Joints) -> Pose:
         joint, position = by_child[link]
         root_T_tip, link = _child_pose(joint, position) @ root_T_tip, joint.parent
     return root_T_tip
+
+
+def without_turns(description: Description, q: Joints) -> Joints:
+    """Return a posture as the arm looks in it: whole turns of a joint make no difference.
+
+    Positions of sliding joints stay; all are rounded to a millionth of a radian or metre.
+    """
+    return tuple(
+        round(at if joint.kind is JointKind.PRISMATIC else math.remainder(at, math.tau), _DIGITS)
+        for joint, at in zip(description.movable_joints, q, strict=True)
+    )
 
 
 def _child_pose(joint: Joint, position: float) -> Pose:

@@ -17,7 +17,6 @@ Array = npt.NDArray[np.float64]
 BASE = -1
 """Number of the frame that no joint moves."""
 TURN = 2.0 * math.pi
-_SAME_POSTURE_RAD = 1e-4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,14 +91,6 @@ def cross_matrices(axes: Array) -> Array:
     out = np.zeros((len(axes), 3, 3))
     out[:, 0, 1], out[:, 0, 2], out[:, 1, 2] = -z, y, -x
     return out - out.transpose(0, 2, 1)
-
-
-def distinct(postures: Array) -> Array:
-    """Return the postures without those that repeat an earlier one, whole turns aside."""
-    differences = postures[:, None] - postures[None]
-    differences -= TURN * np.round(differences / TURN)
-    is_same = (np.abs(differences) < _SAME_POSTURE_RAD).all(axis=2)
-    return np.asarray(postures[~np.tril(is_same, k=-1).any(axis=1)])
 
 
 def matrix_of(pose: Pose) -> Array:

@@ -34,24 +34,42 @@ class OpwGeometry:
     base_T_opw: Array
 
 
-def opw_geometry(chain: KinematicChain) -> OpwGeometry | None:
-    """Return the OPW lengths of an arm, or None if it is not of that kind.
+@dataclass(frozen=True, slots=True)
+class NotOpw:
+    """Why an arm has no closed form, for people."""
+
+    reason: str
+
+
+def opw_geometry(chain: KinematicChain) -> OpwGeometry | NotOpw:
+    """Return the OPW lengths of an arm, or why it is not of that kind.
 
     Only the directions that decide the kind are looked at; whether the result is right must be
     checked against the arm's own forward kinematics.
     """
-    if chain.joints != _ARM_JOINTS or bool(chain.is_prismatic.any()):
-        return None
+    if bool(chain.is_prismatic.any()):
+        return NotOpw("a joint slides behind one that turns")
+    if chain.joints != _ARM_JOINTS:
+        return NotOpw(f"it has {chain.joints} turning joints, not {_ARM_JOINTS}")
     points, axes = _axis_lines(chain)
-    wrist = _meeting_point(points[3:], axes[3:])
-    is_ortho_parallel = (
-        abs(axes[0] @ axes[1]) < _PARALLEL
-        and float(np.linalg.norm(np.cross(axes[1], axes[2]))) < _PARALLEL
-        and abs(axes[2] @ axes[3]) < _PARALLEL
-    )
-    if wrist is None or not is_ortho_parallel:
-        return None
+    if fault := _basis_fault(axes):
+        return NotOpw(fault)
+    wrist, miss_m = _meeting_point(points[3:], axes[3:])
+    if miss_m > _SAME_POINT_M:
+        return NotOpw(f"the last three axes miss each other by {miss_m * 1000:.3g} mm")
     return _measured(chain, points, axes, wrist)
+
+
+def _basis_fault(axes: Array) -> str:
+    """Return which of the axes do not stand to each other as they should; empty if all do."""
+    right = ((0, 1), (2, 3), (3, 4), (4, 5))
+    for a, b in right:
+        if abs(axes[a] @ axes[b]) > _PARALLEL:
+            angle_deg = math.degrees(math.acos(min(1.0, abs(float(axes[a] @ axes[b])))))
+            return f"axes {a + 1} and {b + 1} stand at {angle_deg:.3f} deg, not at 90"
+    if float(np.linalg.norm(np.cross(axes[1], axes[2]))) > _PARALLEL:
+        return "axes 2 and 3 are not parallel"
+    return ""
 
 
 def _axis_lines(chain: KinematicChain) -> tuple[Array, Array]:
@@ -60,14 +78,14 @@ def _axis_lines(chain: KinematicChain) -> tuple[Array, Array]:
     return frames[:, :3, 3], np.einsum("nij,nj->ni", frames[:, :3, :3], chain.axes)
 
 
-def _meeting_point(points: Array, axes: Array) -> Array | None:
-    """Return the point that all lines share, or None if they miss each other."""
+def _meeting_point(points: Array, axes: Array) -> tuple[Array, float]:
+    """Return the point nearest to all lines, and by how much it misses the farthest."""
     across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
     point, *_ = np.linalg.lstsq(
         across.reshape(-1, 3), np.einsum("nij,nj->ni", across, points).ravel(), rcond=None
     )
     miss = np.linalg.norm(np.einsum("nij,nj->ni", across, point - points), axis=1).max()
-    return point if miss < _SAME_POINT_M else None
+    return point, float(miss)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

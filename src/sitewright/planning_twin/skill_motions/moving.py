@@ -39,6 +39,8 @@ _MOST_POSTURES = 2
 """Postures of the arm that are tried for one contact pose."""
 _JERK_PER_ACCELERATION_HZ = 10.0
 _SAME_POSTURE_RAD = 1e-6
+_POSE = 6
+"""A pose has so many freedoms."""
 
 
 def limits_of(robot: Robot, speed: float = 1.0) -> JointLimits:
@@ -131,6 +133,7 @@ def reach_any(
     touches: Iterable[Touch],
     *,
     serves: Callable[[Reaching, Approach], bool] = lambda _reaching, _approach: True,
+    wanted_rad: Joints | None = None,
 ) -> tuple[PlannedMotion, Approach] | Refusal:
     """Plan to the first contact pose that can be reached, trying the cheapest freedoms first.
 
@@ -139,7 +142,11 @@ def reach_any(
         robot: Who reaches.
         touches: Contact poses in order of preference.
         serves: What the approach must also allow, e.g. the strokes that follow.
+        wanted_rad: Posture in contact that was proven before. An arm with more joints than a
+            pose needs finds it again only from itself.
     """
+    is_redundant = len(stage.q_rad(robot)) > _POSE
+    near_rad = wanted_rad if wanted_rad and is_redundant else stage.q_rad(robot)
     resting = resting_contacts(stage, robot)
     reaching = stage.reaching(robot)
     refusals: list[Refusal] = []
@@ -150,7 +157,7 @@ def reach_any(
             near_m={**resting, **touch.near_m},
             free_m={**resting, **touch.free_m},
         )
-        search = Approaches(reaching, declared, stage.q_rad(robot))
+        search = Approaches(reaching, declared, near_rad)
         serving = 0
         for approach in islice((a for a in search if serves(reaching, a)), _MOST_POSTURES):
             serving += 1

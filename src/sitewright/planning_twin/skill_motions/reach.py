@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from functools import partial
 
@@ -26,12 +25,14 @@ from sitewright.planning_twin.skill_motions.stage import (
 )
 from sitewright.planning_twin.touches import pick_touch, place_touch, set_down_touch, spot_touch
 from sitewright.robot_team.cell import StationKind
-from sitewright.robot_team.description import Joints
+from sitewright.robot_team.description import Description, Joints
+from sitewright.robot_team.kinematics import without_turns
 from sitewright.robot_team.skill import Skill, SkillCall
 from sitewright.symbolic_planning.site_index import preparation_place
 
 _SAME_OPENING_M = 0.001
-_SAME_BRANCH_RAD = 0.01
+_SAME_BRANCH = 0.01
+"""Radians, or metres of a rail."""
 
 
 def plan_reach(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
@@ -71,12 +72,14 @@ def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Refusal
     touches = _touches(stage, robot, place)
     if not isinstance(touches, list | Iterator):
         return touches
-    found = reach_any(stage, robot, touches, serves=partial(_serves, stage, robot, place))
+    wanted_rad = _wanted_rad(stage, robot, place)
+    serves = partial(_serves, stage, place, wanted_rad)
+    found = reach_any(stage, robot, touches, serves=serves, wanted_rad=wanted_rad)
     return found[0] if isinstance(found, tuple) else found
 
 
 def _serves(
-    stage: Stage, robot: RobotId, place: str, reaching: Reaching, approach: Approach
+    stage: Stage, place: str, wanted_rad: Joints | None, reaching: Reaching, approach: Approach
 ) -> bool:
     """Tell whether what follows can be done from a contact posture.
 
@@ -86,21 +89,29 @@ def _serves(
     spot = stage.context.task.spot(place)
     if spot is not None:
         return spot.patch is None or covers_patch(reaching, spot, approach)
+    is_any = wanted_rad is None
+    return is_any or _is_same_branch(reaching.description, approach.contact_rad, wanted_rad or ())
+
+
+def _wanted_rad(stage: Stage, robot: RobotId, place: str) -> Joints | None:
+    """Return the posture in contact that was proven for picking or placing; None if any serves."""
+    if stage.context.task.spot(place) is not None:
+        return None
     held = stage.site.arms[robot].held
     piece = held or _piece_to_grasp(stage, robot, place)
     holding = None if piece is None else stage.holding(robot, piece)
     is_elsewhere = held is None and place != stage.study.lies_at.get(piece or ComponentId(""))
     if holding is None or is_elsewhere:
-        return True
-    wanted = holding.pick_rad if held is None else holding.hold_rad
-    is_placement = held is None or place == stage.context.task.target
-    return not is_placement or wanted is None or _is_same_branch(approach.contact_rad, wanted)
+        return None
+    if held is None:
+        return holding.pick_rad
+    return holding.hold_rad if place == stage.context.task.target else None
 
 
-def _is_same_branch(a: Joints, b: Joints) -> bool:
+def _is_same_branch(description: Description, a: Joints, b: Joints) -> bool:
     """Tell whether two postures are equal but for full turns."""
-    turns = (abs(math.remainder(x - y, 2.0 * math.pi)) for x, y in zip(a, b, strict=True))
-    return max(turns) < _SAME_BRANCH_RAD
+    apart = without_turns(description, tuple(x - y for x, y in zip(a, b, strict=True)))
+    return max(map(abs, apart)) < _SAME_BRANCH
 
 
 def _touches(stage: Stage, robot: RobotId, place: str) -> Iterator[Touch] | list[Touch] | Refusal:
