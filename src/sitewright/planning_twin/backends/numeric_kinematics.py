@@ -41,6 +41,8 @@ class NumericSolver:
     def postures(self, base_T_tip: Array, near: Array) -> Array | NoIk:
         """Return the postures that the starts lead to, the one from `near` among them."""
         chain = self.chain
+        if not np.isfinite(base_T_tip).all():
+            return NoIk(is_proven=False, reason="the tip pose is not a number")
         found = distinct(
             self._iterated(self._starts(near), base_T_tip, _ITERATIONS), chain.is_prismatic
         )
@@ -81,7 +83,7 @@ class NumericSolver:
         for _ in range(iterations):
             frames = self.chain.frames(q)
             error = _error(self._tips(frames), base_T_tip)
-            is_open = np.abs(error).max(axis=1) >= _SOLVED
+            is_open = ~(np.abs(error).max(axis=1) < _SOLVED)  # not a number stays open
             solved.append(q[~is_open])
             if not is_open.any():
                 break
