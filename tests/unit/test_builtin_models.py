@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 from sitewright.foundation.shapes import Hull
+from sitewright.planning_twin.backends.kinematic_chain import chain_of
+from sitewright.planning_twin.backends.opw_geometry import OpwGeometry, opw_geometry
 from sitewright.robot_team.formats.hulls import hull_facets
 from sitewright.robot_team.formats.mesh_points import read_points
 from sitewright.robot_team.formats.urdf import read_urdf
@@ -108,6 +110,26 @@ def test_the_arm_weighs_about_1050_kg_and_carries_120() -> None:
     assert KR120.payload_kg == 120.0
 
 
+def test_the_irb_6700_has_the_lengths_limits_and_speeds_of_its_data_sheet() -> None:
+    arm = read_urdf(builtin_robot("abb-irb6700-200-260"))
+    geometry = opw_geometry(chain_of(arm))
+    assert isinstance(geometry, OpwGeometry)
+    assert geometry.lengths_m == pytest.approx((0.32, -0.2, 0.0, 0.78, 1.125, 1.1425, 0.2))
+    rows = [
+        (math.degrees(j.lower_rad), math.degrees(j.upper_rad), math.degrees(j.velocity_rad_s))
+        for j in arm.movable_joints
+    ]
+    expected = [
+        (-170, 170, 110), (-65, 85, 110), (-180, 70, 110),
+        (-300, 300, 190), (-130, 130, 150), (-360, 360, 210),
+    ]  # fmt: skip
+    assert [pytest.approx(row, abs=1e-6) for row in expected] == rows
+    assert arm.payload_kg == 200.0
+    assert sum(link.mass_kg for link in arm.links) == pytest.approx(1250.0, abs=25.0)
+    a1, a2, _, _, c2, c3, _ = geometry.lengths_m
+    assert a1 + c2 + math.hypot(a2, c3) == pytest.approx(2.60, abs=0.01)
+
+
 @pytest.mark.parametrize(
     ("folder", "name"),
     [(builtin_robot, name) for name in BUILTIN_ROBOTS]
@@ -122,7 +144,7 @@ def test_every_model_of_the_catalogue_can_be_read(folder: object, name: str) -> 
 
 
 def test_an_unknown_model_lists_the_known_ones() -> None:
-    with pytest.raises(UnknownModelError, match=r"known: kuka-kr120-r2500-pro\. Did you mean"):
+    with pytest.raises(UnknownModelError, match=r"known: abb-irb6700-200-260, kuka.*Did you mean"):
         builtin_robot("kuka-kr120-r2700")
     with pytest.raises(UnknownModelError, match=r"known: builtin:nail-gun, .*screwdriver"):
         builtin_end_effector("builtin:glue-gun")

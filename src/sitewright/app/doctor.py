@@ -8,10 +8,12 @@ import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 
 from sitewright.errors import BackendError
+from sitewright.robot_team.models.catalogue import BUILTIN_ROBOTS, builtin_robot
 
 _MIN_PYTHON = (3, 11)
 _MIN_FREE_BYTES = 1_000_000_000
@@ -77,12 +79,13 @@ def diagnose(folder: Path | None = None) -> list[Check]:
         folder: Where projects are; its disk must have room. The working folder by default.
     """
     checks = [_python(), *_packages()]
-    for name, probe in (
+    probes: list[tuple[str, Callable[[], str]]] = [
         ("Fast Downward finds a plan", _fast_downward),
         ("MuJoCo simulates", _mujoco),
         ("collision engine measures", _coal),
-    ):
-        checks.append(_probed(name, probe))
+        *((f"arm {name}", partial(_arm, name)) for name in BUILTIN_ROBOTS),
+    ]
+    checks += [_probed(name, probe) for name, probe in probes]
     return [*checks, _disk(folder or Path.cwd()), _extra("compas_timber", "timber")]
 
 
@@ -165,6 +168,18 @@ def _coal() -> str:
     if abs(measured - 2.0) > 1e-6:  # noqa: PLR2004 -- two unit boxes, centres 3 m apart
         raise BackendError(f"two boxes 2 m apart were measured as {measured} m")
     return str(coal.__version__)
+
+
+def _arm(name: str) -> str:
+    from sitewright.app.arms import described
+    from sitewright.planning_twin.backends.judged_arm import judged
+    from sitewright.planning_twin.motion import InverseKind
+    from sitewright.robot_team.formats.urdf import read_urdf
+
+    _, verdict = judged(read_urdf(builtin_robot(name)))
+    if verdict.kind is InverseKind.ITERATIONS:
+        raise BackendError(described(verdict))
+    return described(verdict)
 
 
 def _disk(folder: Path) -> Check:

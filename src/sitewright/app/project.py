@@ -28,7 +28,7 @@ from sitewright.robot_team.formats.cell_toml import read_cell
 
 BUILDING, CELL, DOMAIN, SETTINGS = "building.json", "cell.toml", "domain.pddl", "sitewright.toml"
 _UNSUPPORTED = "F2"
-EXAMPLES = ("wooden_frame", "painted_frame")
+EXAMPLES = ("wooden_frame", "painted_frame", "irb6700_frame")
 
 
 class ProjectError(BuildingModelError):
@@ -93,6 +93,7 @@ def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project
 
 def problems_of(project: Project) -> list[Problem]:
     """Return all problems of a project whose files could be read, warnings too."""
+    from sitewright.app.arms import arm_problems
     from sitewright.app.postures import posture_problems
     from sitewright.planning_twin.backends.twin import make_backends
 
@@ -102,8 +103,12 @@ def problems_of(project: Project) -> list[Problem]:
         for c in model.component_by_id.values()
         if c.layer is Layer.VIRTUAL_COLLISION
     }
-    found = check_project(model, cell)
-    return [*found, *posture_problems(cell, obstacles, make_backends().collision)]
+    backends = make_backends()
+    return [
+        *check_project(model, cell),
+        *posture_problems(cell, obstacles, backends.collision),
+        *arm_problems(cell, backends.kinematics),
+    ]
 
 
 def new_project(folder: Path | str, *, example: str = "wooden_frame") -> Path:

@@ -53,6 +53,7 @@ CODES: Mapping[str, str] = {
     "Q5": "A stack stands at a stock place that the cell lacks.",
     "Q6": "No robot can do what is needed.",
     "Q7": "A home or parking posture is too near to something, or to another robot at home.",
+    "Q8": "The postures of a robot are searched by iterations, since it has no closed form.",
     "S1": "An operation has no built-in skill.",
     "T1": "A text is a formula of its program; it is not evaluated.",
     "U1": "The file states no length unit.",

@@ -96,7 +96,11 @@ def _robots_moved(
         elif robot != mover:
             turned = max(abs(a - b) for a, b in zip(was.q_rad, state.q_rad, strict=True))
             if turned > JOINT_TOLERANCE_RAD:
-                yield 1, robot, f"a joint moved by {turned:.3f} rad though it was at rest"
+                yield (
+                    1,
+                    robot,
+                    f"a joint moved by {turned:.3f} (rad, m on a rail) though it was at rest",
+                )
 
 
 def _pieces_dropped(

@@ -118,7 +118,7 @@ def _not_at_start(step: ProposedStep, observation: Observation) -> str:
             if abs(is_rad - start_rad) > START_TOLERANCE_RAD:
                 return (
                     f"Robot {trajectory.robot} is not where step {step.number} starts: joint "
-                    f"a{joint} is {is_rad:.3f} rad, the trajectory starts at {start_rad:.3f} "
-                    f"(allowed {START_TOLERANCE_RAD:.3f}). A new motion is needed."
+                    f"{joint} is at {is_rad:.3f}, the trajectory starts at {start_rad:.3f} (rad, "
+                    f"m on a rail; allowed {START_TOLERANCE_RAD:.3f}). A new motion is needed."
                 )
     return ""

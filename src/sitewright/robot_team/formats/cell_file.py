@@ -109,13 +109,36 @@ class ZoneFile(FileModel):
     world_T_zone: PoseFile = PoseFile()
 
 
+class RailFile(FileModel):
+    """A rail of a track or gantry under an arm; the shape of its carriage is in its own frame."""
+
+    axis: Point
+    travel_m: tuple[Coordinate, Coordinate]
+    speed_m_s: Positive
+    carriage: GeometryFile | None = None
+    mass_kg: Positive = 400.0
+
+    @model_validator(mode="after")
+    def _leads_somewhere(self) -> Self:
+        if math.hypot(*self.axis) == 0.0:
+            raise ValueError("the axis has no direction")
+        if not self.travel_m[0] < self.travel_m[1]:
+            raise ValueError("travel_m must rise")
+        return self
+
+
 class RobotFile(FileModel):
-    """One arm: a built-in `model` or an own `urdf`; joint values in degrees or in radians."""
+    """One arm: a built-in `model` or an own `urdf`; joint values in degrees or in radians.
+
+    Sliding joints, rails among them, have their values in metres in both kinds of list.
+    """
 
     id: Id
     model: str | None = None
     urdf: str | None = None
     payload_kg: Positive | None = None
+    rail: list[RailFile] = Field(default=[], max_length=3)
+    carriage_T_base: PoseFile | None = None
     subtype: RobotSubtype
     can: list[Capability] | None = None
     world_T_base: PoseFile
@@ -138,6 +161,8 @@ class RobotFile(FileModel):
             raise ValueError("state either parking_q_deg or parking_q_rad")
         if None not in (self.max_acceleration_deg_s2, self.max_acceleration_rad_s2):
             raise ValueError("state accelerations in one unit")
+        if self.carriage_T_base is not None and not self.rail:
+            raise ValueError("carriage_T_base needs a rail")
         return self
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +15,7 @@ from sitewright.foundation.ids import (
     StockPlaceId,
     ZoneId,
 )
-from sitewright.foundation.pose import Pose
+from sitewright.foundation.pose import Pose, unit
 from sitewright.foundation.shapes import Box, ConvexPart, Hull, Shape
 from sitewright.robot_team.cell import (
     Capability,
@@ -32,7 +31,7 @@ from sitewright.robot_team.cell import (
     StockPlace,
     Zone,
 )
-from sitewright.robot_team.description import Description, JointKind, Joints
+from sitewright.robot_team.description import Description, JointKind
 from sitewright.robot_team.formats.cell_check import problem
 from sitewright.robot_team.formats.cell_file import (
     BoxFile,
@@ -41,13 +40,16 @@ from sitewright.robot_team.formats.cell_file import (
     EndEffectorFile,
     GeometryFile,
     PoseFile,
+    RailFile,
     RobotFile,
     SolidFile,
     StationFile,
 )
+from sitewright.robot_team.formats.posture_file import joint_values, posture_faults
 from sitewright.robot_team.formats.urdf import read_urdf
 from sitewright.robot_team.kinematics import tip_pose
 from sitewright.robot_team.models.catalogue import builtin_end_effector, builtin_robot
+from sitewright.robot_team.rails import Rail, on_rails
 
 _ALWAYS = frozenset({Capability.RETRACTING, Capability.RELEASING})
 _HANDLING = frozenset({Capability.GRASPING, Capability.POSITIONING})
@@ -117,53 +119,29 @@ class CellBuilder:
         description = self._description(file.model, file.urdf, where, file.payload_kg)
         if description is None:
             return None
+        if file.rail:
+            rails = [_rail(r) for r in file.rail]
+            try:
+                description = on_rails(description, rails, _pose(file.carriage_T_base))
+            except TeamError as error:
+                self.problems.append(problem("L2", where, f"{error}", "Change one of the two."))
+                return None
         if description.payload_kg <= 0.0:
             fix = "State payload_kg."
             self.problems.append(problem("L2", where, "Its payload is not known.", fix))
-        home = _radians(file.home_q_deg, file.home_q_rad)
-        parking = _many_radians(file.parking_q_deg, file.parking_q_rad) or (home,)
-        speeds = [j.velocity_rad_s for j in description.movable_joints]
-        acceleration = _radians(file.max_acceleration_deg_s2, file.max_acceleration_rad_s2)
-        acceleration = acceleration or tuple(_ACCELERATION_PER_SPEED * v for v in speeds)
-        self._check_postures(where, description, {"home_q": (home,), "parking_q": parking})
-        if len(acceleration) != len(speeds):
-            message = f"max_acceleration has {len(acceleration)} values for {len(speeds)} joints."
-            self.problems.append(problem("L2", where, message, "State one per joint."))
-        can = DEFAULT_CAN[file.subtype] if file.can is None else frozenset(file.can)
-        return Robot(
-            id=RobotId(file.id),
-            model=file.model or file.urdf or "",
-            description=description,
-            subtype=file.subtype,
-            can=can | _ALWAYS,
-            world_T_base=_pose(file.world_T_base),
-            home_q_rad=home,
-            parking_q_rad=parking,
-            max_acceleration_rad_s2=acceleration,
-            end_effectors=tuple(EndEffectorId(e) for e in file.end_effectors),
-            mounted=None if file.mounted is None else EndEffectorId(file.mounted),
-        )
+        robot = _arm(file, description)
+        self._check_postures(where, description, robot)
+        return robot
 
-    def _check_postures(
-        self, where: str, description: Description, postures: dict[str, Sequence[Joints]]
-    ) -> None:
-        joints = description.movable_joints
-        for name, rows in postures.items():
-            for q in rows:
-                if len(q) != len(joints):
-                    message = f"{name} has {len(q)} values for {len(joints)} joints."
-                    self.problems.append(problem("L2", where, message, "State one per joint."))
-                    continue
-                for joint, value in zip(joints, q, strict=True):
-                    if not joint.lower_rad <= value <= joint.upper_rad:
-                        low, high, at = (
-                            math.degrees(x) for x in (joint.lower_rad, joint.upper_rad, value)
-                        )
-                        message = (
-                            f"{name}: joint {joint.name} at {at:.1f} deg is outside its limits "
-                            f"{low:.1f} .. {high:.1f}."
-                        )
-                        self.problems.append(problem("L2", where, message, "Stay inside them."))
+    def _check_postures(self, where: str, description: Description, robot: Robot) -> None:
+        rows = [("home_q", robot.home_q_rad), *(("parking_q", q) for q in robot.parking_q_rad)]
+        for name, q in rows:
+            for message, fix in posture_faults(description, name, q):
+                self.problems.append(problem("L2", where, message, fix))
+        limits, joints = robot.max_acceleration_rad_s2, description.movable_joints
+        if len(limits) != len(joints):
+            message = f"max_acceleration has {len(limits)} values for {len(joints)} joints."
+            self.problems.append(problem("L2", where, message, "State one per joint."))
 
     def _end_effector(self, file: EndEffectorFile) -> EndEffector | None:
         where = f"end_effector[{file.id}]"
@@ -222,6 +200,40 @@ class CellBuilder:
         return self._folder / (urdf or "")
 
 
+def _arm(file: RobotFile, description: Description) -> Robot:
+    home = joint_values(description, file.home_q_deg, file.home_q_rad)
+    in_deg, in_rad = file.parking_q_deg or (), file.parking_q_rad or ()
+    parking = [joint_values(description, q, None) for q in in_deg]
+    parking += [joint_values(description, None, q) for q in in_rad]
+    acceleration = joint_values(
+        description, file.max_acceleration_deg_s2, file.max_acceleration_rad_s2
+    ) or tuple(_ACCELERATION_PER_SPEED * j.velocity_rad_s for j in description.movable_joints)
+    can = DEFAULT_CAN[file.subtype] if file.can is None else frozenset(file.can)
+    return Robot(
+        id=RobotId(file.id),
+        model=file.model or file.urdf or "",
+        description=description,
+        subtype=file.subtype,
+        can=can | _ALWAYS,
+        world_T_base=_pose(file.world_T_base),
+        home_q_rad=home,
+        parking_q_rad=tuple(parking) or (home,),
+        max_acceleration_rad_s2=acceleration,
+        end_effectors=tuple(EndEffectorId(e) for e in file.end_effectors),
+        mounted=None if file.mounted is None else EndEffectorId(file.mounted),
+    )
+
+
+def _rail(file: RailFile) -> Rail:
+    return Rail(
+        axis=unit(file.axis),
+        travel_m=file.travel_m,
+        speed_m_s=file.speed_m_s,
+        carriage=() if file.carriage is None else _shape(file.carriage),
+        mass_kg=file.mass_kg,
+    )
+
+
 def _station(file: StationFile, robots: dict[RobotId, Robot]) -> Station | None:
     robot = None if file.robot is None else robots.get(RobotId(file.robot))
     if file.robot is not None and robot is None:
@@ -269,17 +281,3 @@ def _solid(box: BoxFile | None, convex: ConvexFile | None, body_T_part: Pose) ->
         return Box(box.size_m, body_T_part)
     points = convex.points_m if convex is not None else []
     return Hull(tuple(body_T_part.apply(p) for p in points))
-
-
-def _radians(in_deg: Sequence[float] | None, in_rad: Sequence[float] | None) -> Joints:
-    if in_deg is not None:
-        return tuple(math.radians(x) for x in in_deg)
-    return tuple(in_rad or ())
-
-
-def _many_radians(
-    in_deg: Sequence[Sequence[float]] | None, in_rad: Sequence[Sequence[float]] | None
-) -> tuple[Joints, ...]:
-    if in_deg is not None:
-        return tuple(_radians(q, None) for q in in_deg)
-    return tuple(tuple(q) for q in in_rad or ())

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sitewright.errors import TeamError, did_you_mean
 
-BUILTIN_ROBOTS = ("kuka-kr120-r2500-pro",)
+BUILTIN_ROBOTS = ("abb-irb6700-200-260", "kuka-kr120-r2500-pro")
 BUILTIN_END_EFFECTORS = (
     "builtin:nail-gun",
     "builtin:paint-head",

@@ -17,12 +17,11 @@ def blind_pairs(robot: Robot, tool: EndEffector | None) -> frozenset[tuple[str, 
     """Return the pairs in contact in all of many seeded random postures of a robot alone."""
     m = mujoco.MjModel.from_xml_string(mjcf_text(robot_alone(robot, tool)))
     d = mujoco.MjData(m)
-    hinges = m.jnt_type == mujoco.mjtJoint.mjJNT_HINGE
-    low, high = m.jnt_range[hinges].T
+    low, high = m.jnt_range.T  # turning joints, rails, fingers: all have limits
     random = np.random.default_rng(_SEED)
     found: set[tuple[int, int]] | None = None
     for _ in range(_POSTURES):
-        d.qpos[m.jnt_qposadr[hinges]] = random.uniform(low, high)
+        d.qpos[m.jnt_qposadr] = random.uniform(low, high)
         mujoco.mj_kinematics(m, d)
         mujoco.mj_comPos(m, d)
         mujoco.mj_collision(m, d)

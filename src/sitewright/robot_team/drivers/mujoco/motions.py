@@ -6,12 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sitewright.robot_team.description import JointKind
 from sitewright.robot_team.drivers.mujoco.sampling import broken_limit, samples
 from sitewright.robot_team.drivers.mujoco.simulation import Simulation
 from sitewright.robot_team.trajectory import Trajectory
 
-_START_RAD = 0.01
-_LOST_RAD = 0.05
+_START = 0.01
+_LOST = 0.05
+"""Radians, or metres of a rail."""
 _STOP_S = 0.25
 _SETTLE_S = 0.1
 
@@ -23,7 +25,7 @@ class Followed:
     Attributes:
         failure: Empty, ``tracking`` or ``held``.
         detail: Why, for people.
-        worst_rad: Largest difference between the reference and the joints.
+        worst_rad: Largest difference between the reference and the joints (metres on a rail).
     """
 
     failure: str = ""
@@ -38,11 +40,12 @@ def follow(sim: Simulation, trajectory: Trajectory) -> Followed:
     if broken := broken_limit(rows, robot.description.movable_joints):
         return Followed(failure="tracking", detail=f"refused, {broken}")
     span = sim.arms.span[robot.id]
-    off_rad = float(np.abs(rows[0][0] - sim.physics.d.qpos[sim.arms.positions[span]]).max())
-    if off_rad > _START_RAD:
-        return Followed(
-            failure="tracking", detail=f"starts {off_rad:.3f} rad from the robot", worst_rad=off_rad
-        )
+    apart = np.abs(rows[0][0] - sim.physics.d.qpos[sim.arms.positions[span]])
+    if apart.max() > _START:
+        joint = robot.description.movable_joints[int(apart.argmax())]
+        unit = "m" if joint.kind is JointKind.PRISMATIC else "rad"
+        detail = f"starts {apart.max():.3f} {unit} from the robot ({joint.name})"
+        return Followed(failure="tracking", detail=detail, worst_rad=float(apart.max()))
     positions, speeds, accelerations = rows
     worst_rad = 0.0
     for k in range(len(positions) - 1):
@@ -55,7 +58,7 @@ def follow(sim: Simulation, trajectory: Trajectory) -> Followed:
         sim.step()
         sim.arms.q[span] = positions[k + 1]
         worst_rad = max(worst_rad, sim.arms.error_rad(sim.physics, robot.id))
-        if worst_rad > _LOST_RAD:
+        if worst_rad > _LOST:
             sim.arms.stand(sim.physics)
             sim.advance(_STOP_S)
             return Followed(failure="tracking", detail="pushed off its path", worst_rad=worst_rad)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from itertools import chain, repeat
 
 from sitewright.foundation.ids import ComponentId, EndEffectorId, RobotId
 from sitewright.foundation.mjcf.model import (
@@ -23,12 +24,12 @@ from sitewright.robot_team.drivers.mujoco.fixings import Fixings
 from sitewright.robot_team.piece import Piece
 
 ARM_STIFFNESS = (3e5, 3e5, 2e5, 4e4, 4e4, 2e4)
-"""Of the position drives from the base to the wrist, N m/rad."""
+"""Of the drives of turning joints from the base to the wrist, N m/rad; further ones as the last."""
+RAIL_STIFFNESS_N_M = 5e6
 FINGER_STIFFNESS_N_M = 2e5
 FINGER_FORCE_N = 1500.0
 _PAD_FRICTION = 1.0
 _WOOD_FRICTION = 0.6
-_SERIAL_ARM_JOINTS = 6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -162,8 +163,18 @@ def _robot(robot: Robot, tool: EndEffector | None) -> Solid:
 
 def _tool(tool: EndEffector, pose: Pose) -> Solid:
     names = {link.name: tool_body(tool, link.name) for link in tool.description.links}
-    return _tree(
+    tree = _tree(
         tool.description, tool.description.root, owner=tool.id, names=names, pose=pose, hung={}
+    )
+    return _with_pads(tree, frozenset(pad_bodies(tool)))
+
+
+def _with_pads(solid: Solid, pads: frozenset[str]) -> Solid:
+    """Return the bodies of an end effector with pads that do not slip."""
+    return replace(
+        solid,
+        friction=_PAD_FRICTION if solid.name in pads else solid.friction,
+        children=tuple(_with_pads(child, pads) for child in solid.children),
     )
 
 
@@ -198,14 +209,10 @@ def _tree(  # noqa: PLR0913 - a link, its names, its place and what hangs on it
         inertial=_inertial(link),
         axis=_axis(owner, joint),
         is_weightless=True,
-        friction=_PAD_FRICTION if _is_pad(joint) else _WOOD_FRICTION,
+        friction=_WOOD_FRICTION,
         children=children,
     )
     return replace(solid, children=(*children, hung[root])) if root in hung else solid
-
-
-def _is_pad(joint: Joint | None) -> bool:
-    return joint is not None and joint.kind is JointKind.PRISMATIC
 
 
 def _inertial(link: Link) -> Inertial | None:
@@ -228,12 +235,13 @@ def _axis(owner: str, joint: Joint | None) -> Axis | None:
 
 def _servos(cell: Cell, tools: Iterable[EndEffector]) -> Iterable[Servo]:
     for robot in cell.robot_by_id.values():
-        joints = robot.description.movable_joints
-        weak = ARM_STIFFNESS[3]
-        table = ARM_STIFFNESS if len(joints) == _SERIAL_ARM_JOINTS else (ARM_STIFFNESS[0],) * 2
-        for number, joint in enumerate(joints):
-            stiffness = table[number] if number < len(table) else weak
-            yield Servo(joint=joint_name(robot.id, joint.name), stiffness=stiffness)
+        turning = chain(ARM_STIFFNESS, repeat(ARM_STIFFNESS[-1]))
+        for joint in robot.description.movable_joints:
+            is_rail = joint.kind is JointKind.PRISMATIC
+            yield Servo(
+                joint=joint_name(robot.id, joint.name),
+                stiffness=RAIL_STIFFNESS_N_M if is_rail else next(turning),
+            )
     for tool in tools:
         for joint in finger_joints(tool):
             yield Servo(
