@@ -141,3 +141,67 @@ def roll_pitch_yaw(pose: Pose) -> tuple[float, float, float]:
         math.atan2(-r20, math.hypot(r00, r10)),
         math.atan2(r10, r00),
     )
+
+
+Part = tuple[float, tuple[float, float, float], tuple[float, float, float]]
+"""Mass in kg, size and middle of a box in m."""
+
+_PARTS: dict[str, Part] = {
+    "base_link": (120, (0.5, 0.5, 0.40), (0, 0, 0.20)),
+    "shoulder": (80, (0.36, 0.5, 0.36), (0, 0.12, 0)),
+    "upper": (90, (1.53, 0.26, 0.26), (0.675, 0, 0)),
+    "fore": (60, (1.38, 0.20, 0.20), (0.62, 0, 0)),
+    "wrist_1": (20, (0.18, 0.24, 0.2), (0, 0.10, 0)),
+    "wrist_2": (15, (0.18, 0.18, 0.2), (0, 0, 0.1)),
+    "wrist_3": (5, (0.16, 0.10, 0.16), (0, 0.165, 0)),
+}
+_LAST = [
+    ("1.35 -0.30 0", "0 1 0"),
+    ("1.25 0 0", "0 1 0"),
+    ("0 0.26 0", "0 0 1"),
+    ("0 0 0.228", "0 1 0"),
+]
+
+
+def offset_wrist_urdf() -> str:
+    """A handler of 2.6 m whose wrist axes do not meet, with shapes and masses."""
+    return _robot_text(_PARTS, [("0 0 0.70", "0 0 1"), ("0 0.33 0", "0 1 0"), *_LAST])
+
+
+def seven_joint_urdf() -> str:
+    """The same with its upper arm cut in two, which turn against each other."""
+    parts = dict(list(_PARTS.items())[:2])
+    parts["upper_a"] = (50, (0.60, 0.26, 0.26), (0.20, 0, 0))
+    parts["upper_b"] = (45, (0.90, 0.24, 0.24), (0.50, 0, 0))
+    parts |= dict(list(_PARTS.items())[3:])
+    joints = [("0 0 0.70", "0 0 1"), ("0 0.33 0", "0 1 0"), ("0.5 0 0", "1 0 0")]
+    return _robot_text(parts, [*joints, ("0.85 -0.30 0", "0 1 0"), *_LAST[1:]])
+
+
+def _robot_text(parts: dict[str, Part], joints: list[tuple[str, str]]) -> str:
+    names = list(parts)
+    rows = [_link_text(name, *parts[name]) for name in names]
+    rows += [
+        f'<joint name="j{k + 1}" type="revolute"><origin xyz="{origin}"/>'
+        f'<parent link="{names[k]}"/><child link="{names[k + 1]}"/><axis xyz="{axis}"/>'
+        '<limit lower="-6.28" upper="6.28" velocity="2.0" effort="1"/></joint>'
+        for k, (origin, axis) in enumerate(joints)
+    ]
+    rows.append(
+        f'<link name="tool0"/><joint name="flange" type="fixed"><parent link="{names[-1]}"/>'
+        f'<child link="tool0"/><origin xyz="0 0.222 0" rpy="{-math.pi / 2.0} 0 0"/></joint>'
+    )
+    return f'<robot name="own"><sitewright payload_kg="90"/>{"".join(rows)}</robot>'
+
+
+def _link_text(
+    name: str, mass: float, size: tuple[float, float, float], middle: tuple[float, float, float]
+) -> str:
+    x, y, z = (mass / 12.0 * (size[a] ** 2 + size[b] ** 2) for a, b in ((1, 2), (0, 2), (0, 1)))
+    origin = f'<origin xyz="{" ".join(map(str, middle))}"/>'
+    return (
+        f'<link name="{name}"><inertial>{origin}<mass value="{mass}"/>'
+        f'<inertia ixx="{x}" iyy="{y}" izz="{z}" ixy="0" ixz="0" iyz="0"/></inertial>'
+        f'<collision>{origin}<geometry><box size="{" ".join(map(str, size))}"/></geometry>'
+        "</collision></link>"
+    )

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sitewright.app.checking import check
-from sitewright.app.project import example_folder, open_project
+from sitewright.app.project import EXAMPLES, example_folder, open_project
 from sitewright.errors import ModelRejectedError
 
 
@@ -18,7 +18,7 @@ def project(tmp_path: Path) -> Path:
     return tmp_path / "frame"
 
 
-@pytest.mark.parametrize("example", ["wooden_frame", "painted_frame"])
+@pytest.mark.parametrize("example", EXAMPLES)
 def test_the_examples_start_and_park_clear_of_everything(example: str) -> None:
     assert [p for p in check(example_folder(example)) if p.code == "Q7"] == []
 

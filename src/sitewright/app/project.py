@@ -28,7 +28,7 @@ from sitewright.robot_team.formats.cell_toml import read_cell
 
 BUILDING, CELL, DOMAIN, SETTINGS = "building.json", "cell.toml", "domain.pddl", "sitewright.toml"
 _UNSUPPORTED = "F2"
-EXAMPLES = ("wooden_frame", "painted_frame", "irb6700_frame")
+EXAMPLES = ("wooden_frame", "painted_frame", "irb6700_frame", "track_frame", "four_arms")
 
 
 class ProjectError(BuildingModelError):

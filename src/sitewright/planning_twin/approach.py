@@ -141,6 +141,17 @@ class Approaches:
                 self.found += 1
                 yield approach
 
+    def why_none_serves(self, wanted_rad: Joints | None) -> NoIk | BlockedBy:
+        """Return why none of those that were found serves what follows.
+
+        Args:
+            wanted_rad: The only posture in contact that would; None if it is not known.
+        """
+        shape = wanted_rad and without_turns(self.reaching.description, wanted_rad)
+        if shape and (pairs := self._blocked.get(shape)):
+            return BlockedBy(pairs=pairs)
+        return NoIk(is_proven=False, reason="no posture serves what follows")
+
     def why_not(self) -> NoIk | BlockedBy:
         """Return why there is none, once all were looked for."""
         if self._blocked:

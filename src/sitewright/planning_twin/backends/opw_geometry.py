@@ -66,7 +66,7 @@ def _basis_fault(axes: Array) -> str:
     for a, b in right:
         if abs(axes[a] @ axes[b]) > _PARALLEL:
             angle_deg = math.degrees(math.acos(min(1.0, abs(float(axes[a] @ axes[b])))))
-            return f"axes {a + 1} and {b + 1} stand at {angle_deg:.3f} deg, not at 90"
+            return f"axes {a + 1} and {b + 1} stand at {angle_deg:.4g} deg, not at 90"
     if float(np.linalg.norm(np.cross(axes[1], axes[2]))) > _PARALLEL:
         return "axes 2 and 3 are not parallel"
     return ""

@@ -171,7 +171,7 @@ def reach_any(
         if not search.found:
             refusals.append(search.why_not())
         elif not serving:
-            refusals.append(NoIk(is_proven=False, reason="no posture serves what follows"))
+            refusals.append(search.why_none_serves(wanted_rad))
     return most_telling(refusals)
 
 
