@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.motion import (
-    JointPath,
     MotionRequest,
     PathSegment,
     PlanningBackends,
@@ -54,6 +53,16 @@ def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts
     request = MotionRequest(
         robot=robot, goal_rad=goal_rad, threshold_m=threshold_m, max_nodes=max_nodes
     )
+    return fulfilled(backends, scene, request, seed=seed)
+
+
+def fulfilled(
+    backends: PlanningBackends, scene: SceneSnapshot, request: MotionRequest, *, seed: int
+) -> PathSegment | BlockedBy | NoPath | NotClear:
+    """Return a path that holds a proof, to any goal of a request and for all who move.
+
+    What is tried, and in which order, is said at `plan_free_motion`.
+    """
     refusal: NoPath | NotClear | None = None
     seeds: list[int] = []
     for attempt, attempt_seed in _attempts(request, seed):
@@ -68,13 +77,12 @@ def plan_free_motion(  # noqa: PLR0913 - engines, scene, who, where to, contacts
             if not found.is_reproducible:
                 return refusal
             continue
-        segment = PathSegment(waypoints_rad=found, threshold_m=dict(threshold_m))
-        path = JointPath(robot=robot, segments=(segment,))
-        refusal = backends.certifier.objection(scene, path)
+        segment = PathSegment(waypoints_rad=found, threshold_m=dict(request.threshold_m))
+        refusal = backends.certifier.objection(scene, request.path(segment))
         if refusal is None:
             return segment
     if refusal is None:
-        return NoPath(nodes=max_nodes, seeds=(seed,), reason="nothing was tried")
+        return NoPath(nodes=request.max_nodes, seeds=(seed,), reason="nothing was tried")
     return refusal
 
 

@@ -85,13 +85,16 @@ class TeamPath:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MotionRequest:
-    """Free motion from the scene's posture of a robot to a goal posture.
+    """Free motion from the scene's posture of a robot, or of several, to a goal posture.
 
     Attributes:
         threshold_m: As in `PathSegment`: declared contacts that persist in this motion.
         max_nodes: Search budget; nodes, not seconds, so that results repeat.
         pad_m: Every body grows by this in the search scene; None = clearance / 2 + 0.5 mm.
         step_rad: Distance between collision checks along an edge.
+        or_goals_rad: Other goals that would do as well.
+        partners: Robots that move in step with `robot`; goals then hold the joints of all, one
+            robot after the other.
     """
 
     robot: RobotId
@@ -101,6 +104,24 @@ class MotionRequest:
     pad_m: float | None = None
     step_rad: float = 0.02
     is_shortcut: bool = True
+    or_goals_rad: tuple[Joints, ...] = ()
+    partners: tuple[RobotId, ...] = ()
+
+    @property
+    def robots(self) -> tuple[RobotId, ...]:
+        """Who moves, in the order in which postures hold their joints."""
+        return (self.robot, *self.partners)
+
+    @property
+    def goals_rad(self) -> tuple[Joints, ...]:
+        """All goals, the most welcome first."""
+        return (self.goal_rad, *self.or_goals_rad)
+
+    def path(self, segment: PathSegment) -> JointPath | TeamPath:
+        """Return a segment as the path of those who move."""
+        if self.partners:
+            return TeamPath(robots=self.robots, segments=(segment,))
+        return JointPath(robot=self.robot, segments=(segment,))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

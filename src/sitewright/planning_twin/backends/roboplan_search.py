@@ -1,129 +1,124 @@
-"""Free paths by RRT-Connect and shortcutting in the padded scene."""
+"""Free paths by two trees and shortcutting in the padded scene."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from typing_extensions import override
 
-from sitewright.errors import BackendError
-from sitewright.planning_twin.backends.collision_check import CoalCollisionCheck
-from sitewright.planning_twin.backends.extensions import extension
+from sitewright.planning_twin.backends.certifier import ConservativeAdvancement
+from sitewright.planning_twin.backends.kinematic_chain import Array
+from sitewright.planning_twin.backends.pad_exit import way_out_of_pads
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
-from sitewright.planning_twin.backends.search_scene import SearchScene, SearchScenes
-from sitewright.planning_twin.motion import MotionPlanner, MotionRequest
+from sitewright.planning_twin.backends.search_ends import EndsCheck, SearchEnds, SearchQuestion
+from sitewright.planning_twin.backends.search_scene import SearchScenes
+from sitewright.planning_twin.backends.tree_search import found_path
+from sitewright.planning_twin.motion import MotionPlanner, MotionRequest, PathSegment
 from sitewright.planning_twin.refusal import BlockedBy, NoPath
-from sitewright.planning_twin.scene import Pair, SceneSnapshot
+from sitewright.planning_twin.scene import SceneSnapshot
 from sitewright.robot_team.description import Joints
 
 _PAD_RESERVE_M = 0.0005
-_CORNER_PADS = 4.0
-"""Corners of padded parts stand out by up to two pads each."""
-_MAX_EDGE_RAD = 1.0
-WATCHDOG_S = 5.0
-"""In a narrow place hardly any node is ever added, so that nodes alone bound nothing."""
 _SHORTCUTS = 200
-_OUT_OF_NODES = "maximum number of nodes"
-_OUT_OF_TIME = "timed out"
+_LINES_PER_NODE = 4
+"""A node of the budget pays for so many lines, whether they are free or not."""
 
 
 class RoboplanSearch(MotionPlanner):
     """Searches paths; the certificate judges them.
 
-    The ends are checked first, by exact distances against the clearance. Pairs that stand
-    between clearance and pad at an end are left out of the search, as are declared pairs and
-    pairs that the robot does not move: they are the certificate's business alone.
+    The ends are checked first, by exact distances against the clearance. Pairs that are
+    declared, that the robots do not move, or that are near by design are the certificate's
+    business alone. An end where only pads touch something is left by a straight way that holds
+    by exact distances; only if there is none, the search leaves out the pairs that touch.
     """
 
-    def __init__(self, proofs: ProofScenes, *, watchdog_s: float = WATCHDOG_S) -> None:
-        self._watchdog_s = watchdog_s
-        self._proofs = proofs
+    def __init__(self, proofs: ProofScenes) -> None:
         self._scenes = SearchScenes(proofs)
-        self._check = CoalCollisionCheck(proofs)
+        self._ends = EndsCheck(proofs)
+        self._proof = ConservativeAdvancement(proofs)
 
     @override
     def plan(
         self, scene: SceneSnapshot, request: MotionRequest, *, seed: int
     ) -> tuple[Joints, ...] | BlockedBy | NoPath:
+        question = self.asked(scene, request)
+        if isinstance(question, BlockedBy):
+            return question
+        if question.near:
+            return self._path_out_of_pads(scene, question, request, seed)
+        return _path(question, request, seed)
+
+    def asked(self, scene: SceneSnapshot, request: MotionRequest) -> SearchQuestion | BlockedBy:
+        """Return the padded scene as a request needs it: who moves, what counts, which ends."""
+        ends = self._ends.clear_ends(scene, request)
+        if isinstance(ends, BlockedBy):
+            return ends
         pad_m = request.pad_m
         if pad_m is None:
             pad_m = scene.clearance_m / 2.0 + _PAD_RESERVE_M
-        ends = (scene.robots[request.robot].q_rad, request.goal_rad)
-        for q_rad, where in zip(ends, ("start", "goal"), strict=True):
-            if pairs := self._check.violations(scene, request.robot, q_rad, request.threshold_m):
-                return BlockedBy(pairs=pairs, reason=f"the {where} is blocked")
         search = self._scenes.of(scene, pad_m)
-        standing = self._proofs.of(scene).layout.standing_of[request.robot].names
-        declared = [p for p, tau in request.threshold_m.items() if tau < scene.clearance_m]
-        search.leave_out({*standing, *declared})
-        near = self._near_an_end(scene, search, request, pad_m)
-        search.leave_out({*standing, *declared, *near})
-        return self._path(search, request, ends, seed)
+        return self._ends.question(scene, search, request, ends, pad_m)
 
-    def _near_an_end(
-        self, scene: SceneSnapshot, search: SearchScene, request: MotionRequest, pad_m: float
-    ) -> set[Pair]:
-        """Return the undeclared pairs that only the pads let collide at an end."""
-        found: set[Pair] = set()
-        wide = replace(scene, clearance_m=_CORNER_PADS * pad_m)
-        off = dict.fromkeys(request.threshold_m, -np.inf)
-        for q_rad in (scene.robots[request.robot].q_rad, request.goal_rad):
-            if search.roboplan.hasCollisions(search.posture(scene, {request.robot: q_rad})):
-                found.update(self._check.violations(wide, request.robot, q_rad, off))
-        return found
-
-    def _path(
-        self, search: SearchScene, request: MotionRequest, ends: tuple[Joints, Joints], seed: int
+    def _path_out_of_pads(
+        self, scene: SceneSnapshot, question: SearchQuestion, request: MotionRequest, seed: int
     ) -> tuple[Joints, ...] | NoPath:
-        from roboplan.core import JointConfiguration
+        """Leave the near pairs by proven straight ways, and search between their ends."""
 
-        # roboplan.core registers the types that this module speaks of
-        roboplan_rrt = extension("roboplan.rrt", "_rrt_ext", role="path search")
+        def is_proven(way: list[Array]) -> bool:
+            waypoints = tuple(_joints(q) for q in way)
+            segment = PathSegment(waypoints_rad=waypoints, threshold_m=request.threshold_m)
+            return self._proof.objection(scene, request.path(segment)) is None
 
-        joints = search.joints_of(request.robot)
-        options = roboplan_rrt.RRTOptions(
-            group_name=request.robot,
-            rrt_connect=True,
-            max_connection_distance=_MAX_EDGE_RAD,
-            collision_check_step_size=request.step_rad,
-            max_nodes=request.max_nodes,
-            max_planning_time=self._watchdog_s,
-        )
-        rrt = roboplan_rrt.RRT(search.roboplan, options)
-        rrt.setRngSeed(seed)
-        start, goal = (JointConfiguration(joints, np.array(q, dtype=np.float64)) for q in ends)
-        try:
-            path: Any = rrt.plan(start, goal)
-            if request.is_shortcut:
-                path = _shortened(search, request, path, seed)
-        except RuntimeError as error:
-            return _no_path(str(error), request, seed)
-        inner = [tuple(float(v) for v in q) for q in path.positions][1:-1]
-        return (ends[0], *inner, ends[1])
+        ends = (question.ends.start, question.ends.goals[0])
+        first, last = (way_out_of_pads(question, np.array(q), is_proven) for q in ends)
+        if first is None or last is None:
+            return _path(question, request, seed)
+        between = SearchEnds(start=_joints(first[-1]), goals=(_joints(last[-1]),))
+        question.search.leave_out(question.left_out - question.near)
+        middle = _path(replace(question, ends=between), request, seed)
+        if isinstance(middle, NoPath):
+            return middle
+        return (*map(_joints, first[:-1]), *middle, *map(_joints, last[-2::-1]))
 
 
-def _shortened(search: SearchScene, request: MotionRequest, path: Any, seed: int) -> Any:  # noqa: ANN401
-    from roboplan.core import PathShortcutter, PathShortcuttingOptions
+def _joints(q: Array) -> Joints:
+    return tuple(float(v) for v in q)
 
+
+def _path(
+    question: SearchQuestion, request: MotionRequest, seed: int
+) -> tuple[Joints, ...] | NoPath:
+    ends = question.ends
+    found = found_path(
+        question.space,
+        np.array(ends.start),
+        [np.array(q) for q in ends.goals],
+        max_lines=_LINES_PER_NODE * request.max_nodes,
+        seed=seed,
+    )
+    if found is None:
+        return NoPath(nodes=request.max_nodes, seeds=(seed,), reason="no path within the nodes")
+    goal = _joints(found[-1])
+    if request.is_shortcut:
+        found = _shortened(question, request, found, seed)
+    return (ends.start, *map(_joints, found[1:-1]), goal)
+
+
+def _shortened(
+    question: SearchQuestion, request: MotionRequest, path: list[Array], seed: int
+) -> list[Array]:
+    from roboplan.core import JointPath, PathShortcutter, PathShortcuttingOptions
+
+    search = question.search
     options = PathShortcuttingOptions(
-        group_name=request.robot,
+        group_name=search.group_of(request.robots),
         max_step_size=request.step_rad,
         max_iters=_SHORTCUTS,
         seed=seed,
     )
-    return PathShortcutter(search.roboplan, options).shortcut(path)
-
-
-def _no_path(message: str, request: MotionRequest, seed: int) -> NoPath:
-    if _OUT_OF_NODES in message:
-        return NoPath(nodes=request.max_nodes, seeds=(seed,), reason="no path within the nodes")
-    if _OUT_OF_TIME in message:
-        return NoPath(
-            nodes=request.max_nodes,
-            seeds=(seed,),
-            is_reproducible=False,
-            reason=f"no path in the time; {message}",
-        )
-    raise BackendError(f"roboplan could not search for {request.robot}: {message}")
+    long = JointPath()
+    long.joint_names = [j for r in request.robots for j in search.joints_of(r)]
+    long.positions = path
+    return list(PathShortcutter(search.roboplan, options).shortcut(long).positions)

@@ -48,6 +48,7 @@ class SearchScene:
                 self._parts_of[body.id] = list(self._added(body, pad_m))
         for robot, joints in self._robots.joints_of.items():
             self.roboplan.addGroup(robot, list(joints))
+        self._teams: set[str] = set()
         self._order = list(self.roboplan.getJointNames())
         self._counted = frozenset(counted)
         self._left_out: frozenset[Pair] = frozenset()
@@ -76,6 +77,24 @@ class SearchScene:
     def joints_of(self, robot: RobotId) -> list[str]:
         """Return roboplan's names of a robot's joints."""
         return list(self._robots.joints_of[robot])
+
+    def columns_of(self, robot: RobotId) -> list[int]:
+        """Return where a robot's joints stand in a posture of all joints."""
+        return [self._order.index(j) for j in self._robots.joints_of[robot]]
+
+    def tip_of(self, scene: SceneSnapshot, robot: RobotId) -> str:
+        """Return roboplan's name of a robot's tip frame."""
+        return f"{robot}.{scene.robots[robot].description.tip}"
+
+    def group_of(self, robots: tuple[RobotId, ...]) -> str:
+        """Return roboplan's name of the group of some robots' joints."""
+        if len(robots) == 1:
+            return robots[0]
+        name = " and ".join(robots)
+        if name not in self._teams:
+            self.roboplan.addGroup(name, [j for r in robots for j in self.joints_of(r)])
+            self._teams.add(name)
+        return name
 
     def leave_out(self, pairs: Iterable[Pair]) -> None:
         """Leave exactly these pairs out of the checks from now on."""

@@ -1,0 +1,133 @@
+"""The joints that a search moves, in a padded scene: free postures, free lines, straight tips."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sitewright.foundation.ids import RobotId
+from sitewright.planning_twin.backends.kinematic_chain import Array
+from sitewright.planning_twin.backends.search_scene import SearchScene
+from sitewright.planning_twin.scene import SceneSnapshot
+
+_TIP_STEP_M = 0.02
+"""Along so much of a straight line of the tip, a line in joint space strays by under 0.1 mm."""
+_DAMPING = 1e-4
+_FASTEST_TURN_RAD = 0.12
+"""A joint that would turn further on one step is near a singular posture."""
+
+
+class SearchSpace:
+    """Some robots' joints, one robot after the other; all other joints stand still.
+
+    Attributes:
+        lower, upper: Limits.
+        weights: How much a turn of each joint counts in distances: the time that it takes,
+            compared with the slowest joint.
+        lines: How many lines were looked at so far.
+    """
+
+    def __init__(
+        self,
+        search: SearchScene,
+        scene: SceneSnapshot,
+        robots: tuple[RobotId, ...],
+        step_rad: float,
+    ) -> None:
+        from roboplan.core import hasCollisionsAlongPath
+
+        self._roboplan = search.roboplan
+        self._is_hit_between = hasCollisionsAlongPath
+        self._step_rad = step_rad
+        self._full = search.posture(scene, {})
+        self._columns = np.array([search.columns_of(r) for r in robots], dtype=np.intp).ravel()
+        self._tips = [search.tip_of(scene, r) for r in robots]
+        self._counts = [len(search.joints_of(r)) for r in robots]
+        joints = [j for r in robots for j in scene.robots[r].description.movable_joints]
+        self.lower = np.array([j.lower_rad for j in joints])
+        self.upper = np.array([j.upper_rad for j in joints])
+        speed = np.array([j.velocity_rad_s or 1.0 for j in joints])
+        self.weights = speed.min() / speed
+        self.lines = 0
+
+    def is_free(self, q: Array) -> bool:
+        """Tell whether a posture is inside the limits and touches nothing."""
+        return self._is_inside(q) and not self._roboplan.hasCollisions(self._posture(q))
+
+    def is_free_line(self, a: Array, b: Array) -> bool:
+        """Tell whether no sample of a line touches anything; `a` is known to be free."""
+        self.lines += 1
+        if not self._is_inside(b):
+            return False
+        start, end = self._posture(a), self._posture(b)
+        return not self._is_hit_between(
+            self._roboplan,
+            start,
+            end,
+            self._step_rad,
+            True,  # noqa: FBT003 - halves first: a blocked line is found out sooner
+            True,  # noqa: FBT003 - the end too
+        )
+
+    def distances(self, points: Array, q: Array) -> Array:
+        """Return how far some postures are from another one, squared."""
+        difference = (points - q) * self.weights
+        return np.asarray(np.einsum("ij,ij->i", difference, difference))
+
+    def distance(self, a: Array, b: Array) -> float:
+        """Return how far two postures are apart."""
+        return float(np.linalg.norm((a - b) * self.weights))
+
+    @property
+    def tips(self) -> range:
+        """Numbers of the robots that move."""
+        return range(len(self._tips))
+
+    def tip_axes(self, tip: int, q: Array) -> Array:
+        """Return the axes of a robot's tip frame in the world, row by row."""
+        frame = self._roboplan.forwardKinematics(self._posture(q), self._tips[tip])
+        return np.asarray(frame[:3, :3].T)
+
+    def straight(self, tip: int, q: Array, direction: Array, length_m: float) -> Iterator[Array]:
+        """Yield free postures along a straight line of one robot's tip, until something is hit.
+
+        Args:
+            tip: Number of the robot.
+            q: Where it starts; not yielded.
+            direction: Shift in the world, of length one; the tip does not turn.
+            length_m: At most so far.
+        """
+        for _ in range(round(length_m / _TIP_STEP_M)):
+            following = self._stepped(tip, q, direction * _TIP_STEP_M)
+            if following is None or not self.is_free_line(q, following):
+                return
+            yield following
+            q = following
+
+    def _stepped(self, tip: int, q: Array, shift: Array) -> Array | None:
+        """Return the posture after a small shift of a tip, by the midpoint rule."""
+        half = self._rates(tip, q, shift / 2.0)
+        whole = self._rates(tip, q + half, shift)
+        if np.abs(whole).max() > _FASTEST_TURN_RAD:
+            return None
+        return np.asarray(q + whole)
+
+    def _rates(self, tip: int, q: Array, shift: Array) -> Array:
+        jacobian = self._roboplan.computeFrameJacobian(self._posture(q), self._tips[tip], False)  # noqa: FBT003
+        first = sum(self._counts[:tip])
+        mine = slice(first, first + self._counts[tip])
+        rows = jacobian[:, self._columns[mine]]
+        twist = np.concatenate((shift, np.zeros(3)))
+        square = rows @ rows.T + _DAMPING**2 * np.eye(6)
+        rates = np.zeros_like(q)
+        rates[mine] = rows.T @ np.linalg.solve(square, twist)
+        return rates
+
+    def _is_inside(self, q: Array) -> bool:
+        return bool((q >= self.lower).all() and (q <= self.upper).all())
+
+    def _posture(self, q: Array) -> Array:
+        full = self._full.copy()
+        full[self._columns] = q
+        return full
