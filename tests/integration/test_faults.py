@@ -108,7 +108,7 @@ def test_a_piece_that_falls_back_onto_its_stack_is_taken_again(
 def test_a_piece_dropped_on_the_way_stays_where_it_fell_and_another_one_is_taken(
     tmp_path: Path,
 ) -> None:
-    with real_site(tmp_path, studs=0, supports=1, drop_after_s=1.6) as site:
+    with real_site(tmp_path, studs=0, supports=1, drop_after_m=0.7) as site:
         ended = site.run()
         check_planned_anew(site, ended, 1)
         (dropped,) = site.physical("dropped")
@@ -122,7 +122,7 @@ def test_a_piece_dropped_on_the_way_stays_where_it_fell_and_another_one_is_taken
 def test_a_piece_dropped_where_it_belongs_is_named_for_a_person_to_take_away(
     tmp_path: Path,
 ) -> None:
-    with real_site(tmp_path, studs=0, supports=1, drop_after_s=3.3) as site:
+    with real_site(tmp_path, studs=0, supports=1, drop_after_m=1.8) as site:
         ended = site.run()
         (dropped,) = site.physical("dropped")
         assert ended.exit_code == NO_MOTION

@@ -53,11 +53,13 @@ def test_an_import_that_dies_leaves_no_project(
     assert import_file(block, out, ImportOptions(unit="m")).targets_total == 1
 
 
-def test_what_was_read_and_how_is_kept(block: Path, tmp_path: Path) -> None:
+def test_what_was_read_and_how_is_kept(tmp_path: Path) -> None:
+    ifc = pytest.importorskip("builders_ifc", reason="needs the extra 'ifc'")
     words = tmp_path / "words.toml"
     words.write_text("[layers]\n", encoding="utf-8")
     out = tmp_path / "project"
-    import_file(block, out, ImportOptions(unit="m", map_file=words))
+    panel = ifc.wall_panel().write(tmp_path / "panel.ifc")
+    import_file(panel, out, ImportOptions(unit="m", map_file=words))
     model = read_building(out / "building.json")
     source = imported_source(model)
     assert source is not None

@@ -278,6 +278,16 @@ def test_a_lost_grip_drops_the_piece_and_is_reported() -> None:
     assert [e["effect"] for e in at.effects] == ["gripped", "dropped"]
 
 
+def test_a_grip_may_be_lost_after_a_way_instead_of_a_time() -> None:
+    at = Site(site.cell(drop_after_m=0.1))
+    assert at.pick().is_done
+    start = grasp_pose(at.pose("thin-4"))
+    assert at.go(A, GRIPPER, over(start, 0.05), over(start, 0.09)).is_done
+    assert at.go(A, GRIPPER, over(start, 0.09), over(start, 0.3)).reason == "dropped"
+    (dropped,) = [e for e in at.effects if e["effect"] == "dropped"]
+    assert dropped["piece"] == "thin-4"
+
+
 def test_set_down_needs_the_piece_at_its_place() -> None:
     at = Site()
     assert at.pick().is_done

@@ -3,6 +3,7 @@
 Settings of ``[simulation]`` in the cell file (all off unless given):
 
     drop_after_s            a gripper loses its piece so long after it was gripped ...
+    drop_after_m            ... or so far from where it was gripped ...
     drop_grip_number        ... but only this grip, counted from 1 (default: the next one)
     miss_shot_number        this fastener, counted from 1, leaves the tool at an angle ...
     miss_angle_deg          ... of so much (default 60)
@@ -15,6 +16,9 @@ Each happens once, also when the cell is started again.
 
 from __future__ import annotations
 
+import math
+
+from sitewright.robot_team.drivers.mujoco.fixings import Grip
 from sitewright.robot_team.drivers.mujoco.params import pose_json
 from sitewright.robot_team.drivers.mujoco.simulation import Simulation
 
@@ -23,16 +27,24 @@ _SETTLE_S = 0.3
 
 
 def drop_when_due(sim: Simulation) -> None:
-    """Open a gripper whose time has come; called after every time step."""
-    after_s = sim.cell.simulation.get("drop_after_s", 0.0)
-    if after_s <= 0.0 or "drop" in sim.fixings.faults_done:
+    """Open a gripper whose time or way has come; called after every time step."""
+    settings = sim.cell.simulation
+    after_s = settings.get("drop_after_s", 0.0)
+    after_m = settings.get("drop_after_m", 0.0)
+    if max(after_s, after_m) <= 0.0 or "drop" in sim.fixings.faults_done:
         return
-    wanted = int(sim.cell.simulation.get("drop_grip_number", 0))
+    wanted = int(settings.get("drop_grip_number", 0))
     for robot, grip in sim.fixings.grips.items():
-        if sim.time_s - grip.since_s >= after_s and wanted in (0, grip.number):
+        is_late = 0.0 < after_s <= sim.time_s - grip.since_s
+        if (is_late or 0.0 < after_m <= _way_m(sim, grip)) and wanted in (0, grip.number):
             sim.fixings = sim.fixings.fault_done("drop")
             sim.drop(robot, "fault on demand")
             return
+
+
+def _way_m(sim: Simulation, grip: Grip) -> float:
+    """Return how far a held piece is from where it was gripped, in a straight line."""
+    return math.dist(sim.physics.pose(grip.piece).position_m, grip.taken_at_m)
 
 
 def nudge_when_due(sim: Simulation, skills_done: int) -> None:

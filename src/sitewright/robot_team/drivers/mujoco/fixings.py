@@ -19,12 +19,14 @@ class Grip:
         tool_T_piece: Pose of the piece in the gripper's mount frame when it was gripped.
         since_s: Clock of the cell when it was gripped.
         number: Counts all grips from 1.
+        taken_at_m: Where the piece was then, in the world; logs of older cells do not tell.
     """
 
     piece: ComponentId
     tool_T_piece: Pose
     since_s: float
     number: int
+    taken_at_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

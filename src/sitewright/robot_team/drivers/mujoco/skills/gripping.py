@@ -50,12 +50,14 @@ def _hold(
     piece: ComponentId,
     evidence: dict[str, Json],
 ) -> SkillReport:
-    tool_T_piece = sim.physics.pose(tool.id).inverse() @ sim.physics.pose(piece)
+    world_T_piece = sim.physics.pose(piece)
+    tool_T_piece = sim.physics.pose(tool.id).inverse() @ world_T_piece
     grip = Grip(
         piece=piece,
         tool_T_piece=tool_T_piece,
         since_s=sim.time_s,
         number=sim.fixings.grip_count + 1,
+        taken_at_m=world_T_piece.position_m,
     )
     sim.fix(sim.fixings.gripped(command.robot, grip))
     sim.effect(
