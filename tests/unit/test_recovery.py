@@ -19,8 +19,10 @@ from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.events import (
     AnyEvent,
+    ComponentStanding,
     OperationDone,
     SkillIntent,
+    SkillOutcome,
     SkillReconciled,
 )
 from sitewright.central_controller.ports import Answer, Question
@@ -189,17 +191,39 @@ def test_a_half_done_nail_sets_its_target_aside_for_rework(tmp_path: Path) -> No
 
 def nail_cell_boundary(site: Site) -> None:
     """Let the cell die right after it accepted the first nail."""
+    die_in(site, "fasten", boundary=2)
+
+
+def die_in(site: Site, skill: str, *, boundary: int) -> None:
+    """Let the cell die once in a skill: before 1 it accepted, 2 it acted, 3 it wrote the end."""
     first = iter([True])
 
-    class AtNail(Boundaries):
+    class InSkill(Boundaries):
         @override
         def cross(self) -> None:
             self.count += 1
             last = [e for e in site.events if isinstance(e, SkillIntent)][-1]
-            if last.call.skill == "fasten" and self.count % 4 == 2 and next(first, False):
+            if last.call.skill == skill and self.count % 4 == boundary and next(first, False):
                 raise cell_dies()
 
-    site.cell_life = AtNail()
+    site.cell_life = InSkill()
+
+
+@pytest.mark.parametrize(("boundary", "source"), [(2, None), (3, "sensors")])
+def test_a_release_without_outcome_counts_as_done_if_the_fingers_are_seen_empty(
+    tmp_path: Path, boundary: int, source: str | None
+) -> None:
+    site = Site(tmp_path)
+    die_in(site, "release", boundary=boundary)
+    check_against_physics(site, run_project(site.ports(), site.options()))
+    verdicts = [e.verdict for e in events_of(site) if isinstance(e, SkillReconciled)]
+    sources = [e.source for e in events_of(site) if isinstance(e, SkillOutcome)]
+    assert verdicts == ([] if source else ["not-done"])
+    assert ("sensors" in sources) == (source == "sensors")
+    assert [e.target for e in events_of(site) if isinstance(e, ComponentStanding)] == [
+        "stud-1",
+        "stud-2",
+    ]
 
 
 def test_a_command_that_never_started_goes_out_again_under_the_same_id(tmp_path: Path) -> None:

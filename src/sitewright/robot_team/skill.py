@@ -39,10 +39,10 @@ class SkillClass(StrEnum):
 SKILL_CLASS: Mapping[str, SkillClass] = {
     Skill.REACH: SkillClass.ABSOLUTE,
     Skill.RETRACT: SkillClass.ABSOLUTE,
-    Skill.RELEASE: SkillClass.ABSOLUTE,
     Skill.GRASP: SkillClass.SENSABLE,
     Skill.POSITION: SkillClass.SENSABLE,
     Skill.SET_DOWN: SkillClass.SENSABLE,
+    Skill.RELEASE: SkillClass.SENSABLE,
     Skill.CHANGE_END_EFFECTOR: SkillClass.SENSABLE,
     Skill.FASTEN: SkillClass.ONCE,
     Skill.APPLY_FINISH: SkillClass.ONCE,
