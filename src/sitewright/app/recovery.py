@@ -11,6 +11,7 @@ from sitewright.app.runner_steps import (
     flight_of,
     gate,
     held_if_grave,
+    keep_scenes,
     observed,
     superseded,
 )
@@ -116,7 +117,11 @@ def reissue(run: Run) -> Iterator[AnyEvent]:
         step = run.proposal().steps[intent.step - 1]
         granted = yield from gate(run, step, now, state=_before(run.state, flight))
     if granted is not None:
-        yield SkillReissued(command_id=intent.command_id, epoch=run.state.epoch)
+        _, clear = granted
+        keep_scenes(run, clear)
+        yield SkillReissued(
+            command_id=intent.command_id, epoch=run.state.epoch, proofs=clear.certificates
+        )
     else:
         yield SkillReconciled(
             command_id=intent.command_id,

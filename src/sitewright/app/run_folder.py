@@ -12,10 +12,12 @@ from sitewright.central_controller.events import AnyEvent, RunStarted, event_fro
 from sitewright.central_controller.fingerprint import check_code, fingerprint
 from sitewright.central_controller.proposal import Proposal
 from sitewright.foundation.canonical import canonical_json
-from sitewright.journal.blobs import sync_folder, write_whole
+from sitewright.journal.blobs import BlobStore, sync_folder, write_whole
 from sitewright.journal.errors import JournalCorruptError, UnsafeFolderError
 from sitewright.journal.record import Record
 from sitewright.journal.sqlite import read_records
+from sitewright.planning_twin.scene import SceneSnapshot
+from sitewright.planning_twin.scene_texts import UnreadableSceneError, read_scene, texts_of
 
 _NETWORK = ("nfs", "nfs4", "cifs", "smb3", "smbfs", "virtiofs", "9p", "fuse.sshfs")
 _SCHEMA = "sitewright.proposal/1"
@@ -26,6 +28,7 @@ class RunFolder:
 
     def __init__(self, path: Path) -> None:
         self.path = path
+        self._kept: set[str] = set()
 
     @property
     def run(self) -> str:
@@ -36,6 +39,11 @@ class RunFolder:
     def journal(self) -> Path:
         """The journal's file."""
         return self.path / "journal.db"
+
+    @property
+    def blobs(self) -> BlobStore:
+        """Large values, named by their hashes."""
+        return BlobStore(self.path / "blobs")
 
     def create(self) -> None:
         """Make the folder and what is in it; what is there stays."""
@@ -76,6 +84,20 @@ class RunFolder:
         if fingerprint(proposal) != digest:
             raise JournalCorruptError(path, "the proposal was changed after it was written")
         return proposal
+
+    def keep_scene(self, scene: SceneSnapshot) -> None:
+        """Write the texts of a scene that a certificate is about, durably, each once."""
+        for digest, text in texts_of(scene).items():
+            if digest not in self._kept:
+                self.blobs.put(text.encode())
+                self._kept.add(digest)
+
+    def load_scene(self, revision: str) -> SceneSnapshot:
+        """Read a scene back; what is not what its hash says is an error."""
+        try:
+            return read_scene(revision, lambda digest: self.blobs.get(digest).decode())
+        except UnreadableSceneError as error:
+            raise JournalCorruptError(self.path / "blobs" / revision, str(error)) from error
 
     def save_texts(self, name: str, texts: Mapping[str, str]) -> None:
         """Write PDDL texts as ``pddl/<name>-<n>.<suffix>``, n counting the plans of a target."""

@@ -76,13 +76,14 @@ def start_step(run: Run, number: int) -> Iterator[AnyEvent]:
     step = _step(run, number)
     granted = yield from gate(run, step, now)
     if granted is not None:
-        approval_id, certificates = granted
-        yield _intent(run, step, approval_id, certificates)
+        approval_id, clear = granted
+        keep_scenes(run, clear)
+        yield _intent(run, step, approval_id, clear.certificates)
 
 
 def gate(
     run: Run, step: ProposedStep, now: Observation, *, state: CycleState | None = None
-) -> Generator[AnyEvent, None, tuple[str, tuple[Certificate, ...]] | None]:
+) -> Generator[AnyEvent, None, tuple[str, StillClear] | None]:
     """Return approval and new certificates of a step that may start; record why it may not.
 
     Args:
@@ -113,8 +114,8 @@ def gate(
         )
         return None
     match ports.check.check(step, run.context(now)):
-        case StillClear(certificates=certificates):
-            return verdict.approval.approval_id, certificates
+        case StillClear() as clear:
+            return verdict.approval.approval_id, clear
         case StaleCertificate(cause=cause):
             pair = " and ".join(cause.pair)
             yield superseded(
@@ -123,6 +124,12 @@ def gate(
         case FactsChanged(facts=facts):
             yield superseded(run, f"Step {step.number} relies on what is not so: {facts[0]}.")
     return None
+
+
+def keep_scenes(run: Run, clear: StillClear) -> None:
+    """Write down the scenes of new certificates, before the journal names them."""
+    for scene in clear.scenes:
+        run.folder.keep_scene(scene)
 
 
 def superseded(run: Run, reason: str, *, is_replan: bool = True) -> ProposalSuperseded:
@@ -222,4 +229,5 @@ def _intent(
         confirmed=len([m for m in step.motions if m.agreement.samples > 0]),
         closest_distance_m=min(distances) if distances else None,
         scene_revision=certificates[-1].scene_revision if certificates else "",
+        proofs=certificates,
     )

@@ -21,6 +21,7 @@ from sitewright.foundation.ids import (
     StationId,
 )
 from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.motion import Certificate
 from sitewright.robot_team.driver import FastenerObservation, RobotObservation, SkillReport
 from sitewright.robot_team.skill import SkillCall
 
@@ -269,6 +270,8 @@ class SkillIntent:
         certificates: How many motions were certified again at start.
         confirmed: How many motions the independent engine had confirmed.
         scene_revision: Sensed scene of the last certificate.
+        proofs: The certificates made at start; their scenes are in the run's blobs, named by
+            their revisions.
     """
 
     kind: ClassVar[str] = "skill_intent"
@@ -287,6 +290,7 @@ class SkillIntent:
     confirmed: int = 0
     closest_distance_m: float | None = None
     scene_revision: str = ""
+    proofs: tuple[Certificate, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -318,12 +322,17 @@ class SkillReconciled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SkillReissued:
-    """The same command goes out again; the ledger said that it never started."""
+    """The same command goes out again; the ledger said that it never started.
+
+    Attributes:
+        proofs: As in `SkillIntent`; made anew.
+    """
 
     kind: ClassVar[str] = "skill_reissued"
     version: ClassVar[int] = 1
     command_id: CommandId
     epoch: int
+    proofs: tuple[Certificate, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,6 +12,7 @@ from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId, RunId
 from sitewright.planning_twin.motion import Certificate
 from sitewright.planning_twin.refusal import StaleCertificate
+from sitewright.planning_twin.scene import SceneSnapshot
 from sitewright.robot_team.driver import Observation
 from sitewright.robot_team.skill import SkillCall
 
@@ -132,9 +133,15 @@ class ProposalSource(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class StillClear:
-    """The step's motions were certified again on the scene as sensed."""
+    """The step's motions were certified again on the scene as sensed.
+
+    Attributes:
+        certificates: One for each motion.
+        scenes: What each was made against, in the same order.
+    """
 
     certificates: tuple[Certificate, ...]
+    scenes: tuple[SceneSnapshot, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

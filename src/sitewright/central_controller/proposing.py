@@ -183,7 +183,9 @@ class Proposals:
         if isinstance(opening, float):
             site = with_opening(site, step.call.robot, opening)
         proof = recertify(self.ports.backends.certifier, site, step.motions)
-        return proof if isinstance(proof, StaleCertificate) else StillClear(proof)
+        if isinstance(proof, StaleCertificate):
+            return proof
+        return StillClear(tuple(p.certificate for p in proof), tuple(p.scene for p in proof))
 
     def strays(self, context: SiteContext) -> frozenset[ComponentId]:
         """Return the pieces of stock that lie at no stock place and are in no gripper."""

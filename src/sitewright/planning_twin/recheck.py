@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+
 from sitewright.planning_twin.jobsite import Jobsite, scene_of
 from sitewright.planning_twin.motion import Certificate, Certifier, PlannedMotion
 from sitewright.planning_twin.refusal import NotClear, StaleCertificate
+from sitewright.planning_twin.scene import SceneSnapshot
+
+
+@dataclass(frozen=True, slots=True)
+class Recertified:
+    """A motion's certificate with the scene that it was made against."""
+
+    scene: SceneSnapshot
+    certificate: Certificate
 
 
 def recertify(
     certifier: Certifier, site: Jobsite, motions: tuple[PlannedMotion, ...]
-) -> tuple[Certificate, ...] | StaleCertificate:
+) -> tuple[Recertified, ...] | StaleCertificate:
     """Prove the motions of one step in the sensed scene.
 
     Args:
@@ -17,16 +29,23 @@ def recertify(
         site: The cell as sensed now: all robots, pieces, tools.
         motions: Of one step, in order; the scene edits between them are those of the plan.
     """
-    scene = scene_of(site)
-    certificates: list[Certificate] = []
+    proven: list[Recertified] = []
+    for scene, motion in scenes_in_turn(scene_of(site), motions):
+        answer = certifier.certify(scene, motion.timed.path)
+        if isinstance(answer, NotClear):
+            return StaleCertificate(cause=answer)
+        proven.append(Recertified(scene, answer))
+    return tuple(proven)
+
+
+def scenes_in_turn(
+    scene: SceneSnapshot, motions: tuple[PlannedMotion, ...]
+) -> Iterator[tuple[SceneSnapshot, PlannedMotion]]:
+    """Yield each motion with the scene in which it starts, if the ones before it went well."""
     for motion in motions:
         path = motion.timed.path
         scene = scene.with_joints(path.robot, path.start_rad)
-        answer = certifier.certify(scene, path)
-        if isinstance(answer, NotClear):
-            return StaleCertificate(cause=answer)
-        certificates.append(answer)
+        yield scene, motion
         scene = scene.with_joints(path.robot, path.end_rad)
         for body, placement in motion.scene_edits.items():
             scene = scene.placed(body, placement)
-    return tuple(certificates)

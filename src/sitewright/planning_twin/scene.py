@@ -91,10 +91,11 @@ class SceneSnapshot:
 
     def revision(self) -> str:
         """SHA-256 over shapes, placements, joints and clearance."""
-        return sha256_hex(canonical_json(_plain(self)))
+        return sha256_hex(scene_text(self))
 
 
-def _plain(scene: SceneSnapshot) -> dict[str, Json]:
+def scene_text(scene: SceneSnapshot) -> str:
+    """Return the text whose hash is the scene's revision; it names shapes and arms by hash."""
     robots: dict[str, Json] = {
         robot: [
             _description_hash(arm.description),
@@ -106,7 +107,7 @@ def _plain(scene: SceneSnapshot) -> dict[str, Json]:
     bodies: dict[str, Json] = {
         i: [shape_hash(b.shape), _placement(b.placement)] for i, b in scene.bodies.items()
     }
-    return {"robots": robots, "bodies": bodies, "clearance_m": scene.clearance_m}
+    return canonical_json({"robots": robots, "bodies": bodies, "clearance_m": scene.clearance_m})
 
 
 def _placement(placement: Pose | Attachment) -> Json:
@@ -129,7 +130,12 @@ def _same_text(numbers: Iterable[float]) -> list[float]:
 @lru_cache(maxsize=1024)
 def shape_hash(shape: Shape) -> str:
     """Return the SHA-256 of a shape; equal shapes have equal hashes."""
-    return sha256_hex(canonical_json([_plain_part(part) for part in shape]))
+    return sha256_hex(shape_text(shape))
+
+
+def shape_text(shape: Shape) -> str:
+    """Return the text whose hash is the shape's."""
+    return canonical_json([_plain_part(part) for part in shape])
 
 
 def _plain_part(part: ConvexPart) -> Json:
@@ -142,10 +148,15 @@ def _plain_part(part: ConvexPart) -> Json:
 
 @lru_cache(maxsize=64)
 def _description_hash(description: Description) -> str:
+    return sha256_hex(arm_text(description))
+
+
+def arm_text(description: Description) -> str:
+    """Return the text of all that a scene's revision says about an arm; shapes are hashes."""
     links: list[Json] = [[link.name, shape_hash(link.shape)] for link in description.links]
     joints: list[Json] = [
         [j.name, j.kind, j.parent, j.child, _numbers(j.parent_T_joint), _same_text(j.axis)]
         for j in description.joints
     ]
     limits: list[Json] = [_same_text((j.lower_rad, j.upper_rad)) for j in description.joints]
-    return sha256_hex(canonical_json([description.root, description.tip, links, joints, limits]))
+    return canonical_json([description.root, description.tip, links, joints, limits])
