@@ -59,6 +59,8 @@ def poses(draw: st.DrawFn) -> Pose:
     return Pose(draw(vectors), _written(q))
 
 
+BESIDE = PlaneCut((500.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+"""A cut beyond all that is drawn, parts of a compound too: it takes nothing away."""
 boxes = st.tuples(lengths, lengths, lengths).map(BoxGeometry)
 tetrahedra = lengths.map(
     lambda s: ConvexGeometry(((0.0, 0.0, 0.0), (s, 0.0, 0.0), (0.0, s, 0.0), (0.0, 0.0, s)))
@@ -113,7 +115,7 @@ def components(draw: st.DrawFn, name: str, layer: Layer) -> Component:
         material=draw(words),
         order=draw(st.none() | st.integers(0, 5)),
         ground=draw(st.booleans()),
-        cuts=(PlaneCut((50.0, 0.0, 0.0), (1.0, 0.0, 0.0)),) if draw(st.booleans()) else (),
+        cuts=(BESIDE,) if draw(st.booleans()) else (),
         mass_kg=draw(st.none() | lengths),
         com_m=draw(st.none() | vectors),
         hold_until_fasteners=draw(st.integers(0, 3)),

@@ -140,7 +140,8 @@ def test_a_reader_sees_no_network_where_the_kernel_lets_us_cut_it_off() -> None:
 
 
 _WAITING = """
-import sys
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have started us without
 sys.path[:] = sys.argv[1].split(":")
 from sitewright.building_model.formats.import_process import Limits, run_child
 run_child("crashing_reader:read", "hang", "x", limits=Limits(wall_s=60.0))
