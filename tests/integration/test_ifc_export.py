@@ -15,9 +15,10 @@ from sitewright.building_model.component import BoxGeometry, Component, Layer, S
 from sitewright.building_model.formats.ifc_export import ForeignOriginalError, IfcPatch, export_ifc
 from sitewright.building_model.formats.ifc_reader import read
 from sitewright.building_model.model import BuildingModel
+from sitewright.building_model.object_states import ObjectState, object_states
 from sitewright.errors import ModelRejectedError
 from sitewright.foundation.ids import ComponentId, OperationId
-from sitewright.foundation.pose import norm, rotation, translation
+from sitewright.foundation.pose import Pose, norm, rotation, translation
 
 NOW = "2030-05-01T18:00:00+00:00"
 SCHEMAS = ("IFC4", "IFC2X3", "IFC4X3")
@@ -58,9 +59,14 @@ def built(model: BuildingModel, *names: str, minute: int = 0) -> BuildingModel:
     return fold(model, records)
 
 
+def states(model: BuildingModel, *names: str, at: Pose | None = None) -> dict[str, ObjectState]:
+    """Return what became of the elements after the named components were built."""
+    return object_states(model, built(model, *names), at or Pose())
+
+
 def export(original: Path, *names: str) -> IfcPatch:
-    model = built(model_of_panel(original), *names)
-    return export_ifc(original, model, original.with_name("panel_asbuilt.ifc"), written_at=NOW)
+    out = original.with_name("panel_asbuilt.ifc")
+    return export_ifc(original, states(model_of_panel(original), *names), out, written_at=NOW)
 
 
 @pytest.fixture(scope="module", params=SCHEMAS)
@@ -155,7 +161,7 @@ def test_an_export_of_an_export_hides_nothing(tmp_path: Path) -> None:
     original = wall_panel().write(tmp_path / "panel.ifc")
     out = export(original, "bottom").path
     second = tmp_path / "second.ifc"
-    patch = export_ifc(out, built(model_of_panel(out), "top"), second, written_at=NOW)
+    patch = export_ifc(out, states(model_of_panel(out), "top"), second, written_at=NOW)
     file = ifcopenshell.open(second)
     names = {n for e in file.by_type("IfcMember") for n in get_psets(e)}
     assert names == {"Sitewright_Construction", "Sitewright_Construction_2"}
@@ -167,9 +173,7 @@ def test_deviations_are_told_in_the_frame_of_the_model(tmp_path: Path) -> None:
     world_T_model = translation(2.0, 1.0, 0.5) @ rotation((0.0, 0.0, 1.0), 0.01)
     model = replace(model_of_panel(original), origin_shift_m=(100.0, 0.0, 0.0))
     out = tmp_path / "o.ifc"
-    patch = export_ifc(
-        original, built(model, "bottom"), out, written_at=NOW, world_T_model=world_T_model
-    )
+    patch = export_ifc(original, states(model, "bottom", at=world_T_model), out, written_at=NOW)
     file = ifcopenshell.open(out)
     values = get_psets(file.by_guid(patch.written[0]))["Sitewright_Construction"]
     at = world_T_model.inverse().apply((0.003, 0.004, 0.0))
@@ -185,7 +189,7 @@ def test_what_the_file_does_not_hold_is_named(tmp_path: Path) -> None:
     stranger = next(c for c in model.component_by_id.values() if c.name == "top")
     moved = replace(stranger, source=Source(file="", kind="ifc", id="0000000000000000000000"))
     model = replace(model, component_by_id={**model.component_by_id, moved.id: moved})
-    patch = export_ifc(original, built(model, "top", "bottom"), tmp_path / "o.ifc", written_at=NOW)
+    patch = export_ifc(original, states(model, "top", "bottom"), tmp_path / "o.ifc", written_at=NOW)
     assert patch.not_found == ("0000000000000000000000",)
     assert len(patch.written) == 1
 
@@ -205,7 +209,7 @@ def test_an_element_of_which_only_a_body_is_built_is_partly_built(tmp_path: Path
         model,
         component_by_id={b.id: b for b in [*bodies, model.component_by_id[ComponentId("piece")]]},
     )
-    patch = export_ifc(original, built(model, "1"), tmp_path / "o.ifc", written_at=NOW)
+    patch = export_ifc(original, states(model, "1"), tmp_path / "o.ifc", written_at=NOW)
     file = ifcopenshell.open(patch.path)
     values = get_psets(file.by_guid(patch.written[0]))
     assert values["Sitewright_Construction"]["Status"] == "partly"
@@ -213,10 +217,10 @@ def test_an_element_of_which_only_a_body_is_built_is_partly_built(tmp_path: Path
 
 
 def test_a_model_of_another_file_is_refused_and_nothing_is_written(tmp_path: Path) -> None:
-    model = built(model_of_panel(wall_panel().write(tmp_path / "mine.ifc")), "bottom")
+    mine = model_of_panel(wall_panel().write(tmp_path / "mine.ifc"))
     other = wall_panel().write(tmp_path / "other.ifc")
     with pytest.raises(ForeignOriginalError, match="holds none"):
-        export_ifc(other, model, tmp_path / "out.ifc", written_at=NOW)
+        export_ifc(other, states(mine, "bottom"), tmp_path / "out.ifc", written_at=NOW)
     assert sorted(f.name for f in tmp_path.iterdir()) == ["mine.ifc", "other.ifc"]
 
 
@@ -224,16 +228,16 @@ def test_the_original_is_never_the_target(tmp_path: Path) -> None:
     original = wall_panel().write(tmp_path / "panel.ifc")
     before = original.read_bytes()
     with pytest.raises(ForeignOriginalError, match="original itself"):
-        export_ifc(original, model_of_panel(original), original, written_at=NOW)
+        export_ifc(original, states(model_of_panel(original)), original, written_at=NOW)
     assert original.read_bytes() == before
 
 
 def test_a_broken_original_leaves_no_file_behind(tmp_path: Path) -> None:
     original = wall_panel().write(tmp_path / "panel.ifc")
-    model = built(model_of_panel(original), "bottom")
+    mine = states(model_of_panel(original), "bottom")
     original.write_bytes(original.read_bytes().replace(b"#11=", b"#10=", 1))
     with pytest.raises(ModelRejectedError, match="E2"):
-        export_ifc(original, model, tmp_path / "out.ifc", written_at=NOW)
+        export_ifc(original, mine, tmp_path / "out.ifc", written_at=NOW)
     assert [f.name for f in tmp_path.iterdir()] == ["panel.ifc"]
 
 

@@ -17,6 +17,8 @@ from sitewright.building_model.as_built import InstallRecord, fold
 from sitewright.building_model.component import BoxGeometry, Component, Layer
 from sitewright.building_model.formats.ifc_export import export_ifc
 from sitewright.building_model.formats.native import read_building
+from sitewright.building_model.object_states import object_states
+from sitewright.foundation.pose import Pose
 
 NOW = "2030-05-01T18:00:00+00:00"
 
@@ -92,13 +94,18 @@ def test_what_was_built_comes_back_as_built(project: Path, ifc: Path, tmp_path: 
     at = model.component_by_id[support].world_T_component
     record = InstallRecord(target=support, material=piece, world_T_measured=at, installed_at=NOW)
     out = tmp_path / "frame_asbuilt.ifc"
-    patch = export_ifc(ifc, fold(model, [record]), out, written_at=NOW)
-    assert (patch.written, patch.not_found) == ((support,), ())
+    states = object_states(model, fold(model, [record]), Pose())
+    patch = export_ifc(ifc, states, out, written_at=NOW)
+    assert (set(patch.written), patch.not_found) == ({support, piece}, ())
     _, again, problems = read_design(out, ImportOptions())
     assert problems == []
     assert again.component_by_id[support].layer is Layer.AS_BUILT
+    assert again.component_by_id[piece].layer is Layer.AS_DESIGNED, "it is stock no more"
+    assert piece not in {i for s in again.stacks for i in s.items}
     _, before, _ = read_design(ifc, ImportOptions())
     for name, component in before.component_by_id.items():
+        if name == piece:  # it is where it was, but no longer in the frame of a pile
+            continue
         assert again.component_by_id[name].geometry == component.geometry
         assert again.component_by_id[name].world_T_component == component.world_T_component
         assert again.component_by_id[name].order == component.order

@@ -1,4 +1,4 @@
-"""The as-built table and the status by source id."""
+"""The as-built table."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from sitewright.app.project import example_folder
 from sitewright.building_model.as_built import InstallRecord, fold
-from sitewright.building_model.as_built_table import as_built_csv, status_by_source
-from sitewright.building_model.component import Source
+from sitewright.building_model.as_built_table import as_built_csv
+from sitewright.building_model.component import Layer, Source
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.model import BuildingModel
 from sitewright.foundation.ids import ComponentId
@@ -54,12 +54,11 @@ def test_an_installed_component_tells_its_piece_robot_time_and_deviation() -> No
     assert stud["deviation_deg"] == "0.000"
 
 
-def test_status_goes_by_the_id_of_the_source_and_only_for_what_was_built() -> None:
-    status = status_by_source(built(), WORLD_T_MODEL)
-    assert list(status) == ["A-1"]
-    found = status["A-1"]
-    assert isinstance(found, dict)
-    assert found["layer"] == "as_built"
+def test_what_stood_before_is_neither_planned_nor_built() -> None:
+    model = built()
+    there = replace(model.component_by_id[ComponentId("support-1")], layer=Layer.AS_BUILT)
+    model = replace(model, component_by_id={**model.component_by_id, there.id: there})
+    assert rows(as_built_csv(model, WORLD_T_MODEL))["support-1"]["status"] == ""
 
 
 def test_poses_without_a_measurement_are_those_of_the_design_in_the_world() -> None:

@@ -1,20 +1,27 @@
-"""Writes the as-built state of a project for other programs: JSON, CSV, or onto a copy."""
+"""Writes a state of a project's building for other programs: a table, a model, or onto a copy."""
 
 from __future__ import annotations
 
-import json
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from sitewright.app.built_state import BuiltState
 from sitewright.app.clock import SystemClock
-from sitewright.app.installing import as_built_model, installed_times, iso_time
-from sitewright.app.project import Project, ProjectError
-from sitewright.app.run import fold_of, newest_run
-from sitewright.app.run_folder import chain_of
-from sitewright.building_model.as_built_table import as_built_csv, status_by_source
-from sitewright.building_model.formats.native import write_building
-from sitewright.building_model.model import BuildingModel
-from sitewright.central_controller.site_state import site_of
+from sitewright.app.import_records import layer_names
+from sitewright.app.installing import iso_time
+from sitewright.app.project import BUILDING, ProjectError
+from sitewright.building_model.as_built_table import as_built_csv
+from sitewright.building_model.component import Source
+from sitewright.building_model.formats.detect import FileKind
+from sitewright.building_model.formats.to_file import document_of
+from sitewright.building_model.object_states import CONSUMED, ObjectState, status_document
+from sitewright.foundation.canonical import sha256_hex
+from sitewright.foundation.json_layout import laid_out
+from sitewright.journal.blobs import write_whole
+
+STATUS = "status.json"
+_COPY_SUFFIX = {FileKind.IFC: ".ifc", FileKind.RHINO: ".3dm"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,7 +30,8 @@ class Export:
 
     Attributes:
         files: Every file, the main one first.
-        notes: What could not be carried over, one sentence each.
+        installed: How many components of the state were built by the team.
+        notes: What a reader should know, and what could not be carried over, one sentence each.
     """
 
     files: tuple[Path, ...]
@@ -31,32 +39,51 @@ class Export:
     notes: tuple[str, ...] = ()
 
 
-def as_built_now(project: Project) -> BuildingModel:
-    """Return the design with everything folded in that the project's runs have built."""
-    newest = newest_run(project.folder / "runs")
-    if newest is None:
-        return project.model
-    chain = chain_of(newest)
-    site = fold_of(chain, site_of(project.model))[0].site
-    return as_built_model(project.model, site, installed_times(chain))
+def export_as(
+    kind: str, state: BuiltState, *, original: Path | None = None, out: Path | None = None
+) -> Export:
+    """Write a state as ``json``, ``csv``, ``glb``, or as a patch: ``ifc``, ``rhino``.
+
+    Args:
+        kind: What to write.
+        state: What of.
+        original: The imported file, for a patch; found by its name if it is left out.
+        out: The file to write; the usual name in the project, or beside the original, by default.
+    """
+    if kind in _PATCHES:
+        source = original or original_of(state, FileKind(kind))
+        return _PATCHES[kind](state, source, out or copy_of(source, FileKind(kind)))
+    return _WHOLE[kind](state, out or state.folder / f"{state.name}.{kind}")
 
 
-def export_json(project: Project, out: Path) -> Export:
-    """Write the as-built model in the native schema."""
-    model = as_built_now(project)
-    write_building(model, out)
-    return Export(files=(out,), installed=_installed(model))
+def export_json(state: BuiltState, out: Path) -> Export:
+    """Write the model in the native schema."""
+    _require_goal(state, out)
+    write_whole(out, laid_out(document_of(state.as_built)).encode())
+    return Export(files=(out,), installed=state.installed, notes=state.notes)
 
 
-def export_csv(project: Project, out: Path) -> Export:
+def export_csv(state: BuiltState, out: Path) -> Export:
     """Write a table of components, and `status.json` beside it if they have source ids."""
-    model = as_built_now(project)
-    out.write_text(as_built_csv(model, project.cell.world_T_model), encoding="utf-8")
-    return Export(files=(out, *_status_file(project, model, out)), installed=_installed(model))
+    _require_goal(state, out)
+    write_whole(out, as_built_csv(state.as_built, state.world_T_model).encode())
+    files = (out, *_status_file(state.objects, out))
+    return Export(files=files, installed=state.installed, notes=state.notes)
 
 
-def export_ifc(project: Project, original: Path, out: Path) -> Export:
-    """Write the as-built state as added lines on a copy of the original IFC file.
+def export_gltf(state: BuiltState, out: Path) -> Export:
+    """Write all that stands, lies or is drawn as one binary glTF file."""
+    from sitewright.app.drawn_scene import drawn_scene
+    from sitewright.building_model.formats.gltf import glb_of
+
+    _require_goal(state, out)
+    scene, left_out = drawn_scene(state)
+    write_whole(out, glb_of(scene))
+    return Export(files=(out,), installed=state.installed, notes=(*state.notes, *left_out))
+
+
+def export_ifc(state: BuiltState, original: Path, out: Path) -> Export:
+    """Write the state as added lines on a copy of the original IFC file.
 
     Raises:
         BackendMissingError: The extra ``[ifc]`` is not installed.
@@ -64,23 +91,16 @@ def export_ifc(project: Project, original: Path, out: Path) -> Export:
     """
     from sitewright.building_model.formats import ifc_export
 
-    model = as_built_now(project)
+    _require_goal(state, out)
+    objects = state.objects
     now = iso_time(SystemClock().utc_ns())
-    patch = ifc_export.export_ifc(
-        original, model, out, written_at=now, world_T_model=project.cell.world_T_model
-    )
-    missing = tuple(
-        f"{i} is not in {original.name}; nothing was written of it." for i in patch.not_found
-    )
-    return Export(
-        files=(patch.path, *_status_file(project, model, out)),
-        installed=len(patch.written),
-        notes=(f"{patch.lines_added} lines added, none removed.", *missing),
-    )
+    patch = ifc_export.export_ifc(original, objects, out, written_at=now)
+    said = (f"{patch.lines_added} lines added, none removed.", *_used(objects))
+    return _copy(state, original, patch.path, patch.not_found, said)
 
 
-def export_rhino(project: Project, original: Path, out: Path) -> Export:
-    """Write the as-built state onto a copy of the original Rhino file, and tell what it loses.
+def export_rhino(state: BuiltState, original: Path, out: Path) -> Export:
+    """Write the state onto a copy of the original Rhino file, and tell what it loses.
 
     Raises:
         BackendMissingError: The extra ``[rhino]`` is not installed.
@@ -88,48 +108,92 @@ def export_rhino(project: Project, original: Path, out: Path) -> Export:
     """
     from sitewright.building_model.formats import rhino_export
 
-    model = as_built_now(project)
-    status = status_by_source(model, project.cell.world_T_model)
-    copy = rhino_export.export_rhino(original, status, out)
-    missing = (f"{i} is not in {original.name}; nothing was written of it." for i in copy.not_found)
-    return Export(
-        files=(copy.path, *_status_file(project, model, out)),
-        installed=len(copy.written),
-        notes=(*copy.losses, *missing),
-    )
+    _require_goal(state, out)
+    objects = state.objects
+    names = layer_names(state.folder, state.design)
+    copy = rhino_export.export_rhino(original, objects, out, names=names)
+    said = (*copy.losses, *_used(objects, " Their layer Consumed is switched off."))
+    return _copy(state, original, copy.path, copy.not_found, said)
 
 
-def original_of(project: Project, kind: str) -> Path:
+_WHOLE: Mapping[str, Callable[[BuiltState, Path], Export]] = {
+    "json": export_json,
+    "csv": export_csv,
+    "glb": export_gltf,
+}
+_PATCHES: Mapping[str, Callable[[BuiltState, Path, Path], Export]] = {
+    FileKind.IFC: export_ifc,
+    FileKind.RHINO: export_rhino,
+}
+
+
+def original_of(state: BuiltState, kind: FileKind) -> Path:
     """Return the file that a project was imported from.
 
     Raises:
         ProjectError: Nothing of the model comes from a file of that kind, or it is gone.
     """
-    sources = [s for s in project.model.sources if s.kind.startswith(kind)]
-    sources += [
-        c.source
-        for c in project.model.component_by_id.values()
-        if c.source is not None and c.source.kind.startswith(kind)
-    ]
-    names = {s.file for s in sources if s.file}
-    found = [p for n in sorted(names) for p in (Path(n), project.folder / n) if p.exists()]
+    names = {s.file for s in _sources(state, kind) if s.file}
+    found = [p for n in sorted(names) for p in (Path(n), state.folder / n) if p.exists()]
     if not found:
         listed = f" ({', '.join(sorted(names))})" if names else ""
         raise ProjectError(
-            f"The {kind} file that {project.folder} was imported from is not there{listed}. "
+            f"The {kind} file that {state.folder} was imported from is not there{listed}. "
             "Name it with --original."
         )
     return found[0]
 
 
-def _status_file(project: Project, model: BuildingModel, beside: Path) -> tuple[Path, ...]:
-    status = status_by_source(model, project.cell.world_T_model)
-    if not status:
+def copy_of(original: Path, kind: FileKind) -> Path:
+    """Return the usual name of a patched copy."""
+    return original.with_name(f"{original.stem}_asbuilt{_COPY_SUFFIX[kind]}")
+
+
+def _copy(
+    state: BuiltState,
+    original: Path,
+    copy: Path,
+    not_found: tuple[str, ...],
+    said: tuple[str, ...],
+) -> Export:
+    missing = (f"{i} is not in {original.name}; nothing was written of it." for i in not_found)
+    return Export(
+        files=(copy, *_status_file(state.objects, copy)),
+        installed=state.installed,
+        notes=(*state.notes, *_other_content(state, original), *said, *missing),
+    )
+
+
+def _other_content(state: BuiltState, original: Path) -> list[str]:
+    """Tell if the original is not, byte for byte, what was imported."""
+    known = {s.sha256 for s in state.design.sources if s.sha256}
+    if not known or sha256_hex(original.read_bytes()) in known:
+        return []
+    return [f"{original.name} was changed since it was imported; its ids were looked up as it is."]
+
+
+def _used(objects: dict[str, ObjectState], more: str = "") -> list[str]:
+    count = sum(s.status == CONSUMED for s in objects.values())
+    return [f"{count} pieces of stock were used and are marked {CONSUMED}.{more}"] if count else []
+
+
+def _sources(state: BuiltState, kind: FileKind) -> list[Source]:
+    of_components = [c.source for c in state.design.component_by_id.values()]
+    found = [*state.design.sources, *(s for s in of_components if s is not None)]
+    return [s for s in found if s.kind.startswith(kind)]
+
+
+def _require_goal(state: BuiltState, out: Path) -> None:
+    """Refuse to write where no folder is, or over the design."""
+    if not out.parent.is_dir():
+        raise ProjectError(f"{out.parent} is no folder. Make it, or name another file.")
+    if out.resolve() == (state.folder / BUILDING).resolve():
+        raise ProjectError(f"{out} is the design; an export never replaces it. Name another file.")
+
+
+def _status_file(objects: dict[str, ObjectState], beside: Path) -> tuple[Path, ...]:
+    if not objects:
         return ()
-    path = beside.with_name("status.json")
-    path.write_text(json.dumps(status, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    path = beside.with_name(STATUS)
+    write_whole(path, laid_out(status_document(objects)).encode())
     return (path,)
-
-
-def _installed(model: BuildingModel) -> int:
-    return sum(c.as_built is not None for c in model.component_by_id.values())

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from sitewright.app.project import ProjectError
+from sitewright.app.project import BUILDING, ProjectError
 from sitewright.building_model.component import Source
-from sitewright.building_model.formats.native import read_building
+from sitewright.building_model.formats.import_map import read_map
+from sitewright.building_model.formats.layer_rules import LayerNames
+from sitewright.building_model.formats.native import read_building, write_building
 from sitewright.building_model.formats.to_file import document_of
 from sitewright.building_model.model import BuildingModel
 from sitewright.foundation.canonical import Json, sha256_hex
@@ -50,6 +53,22 @@ def read_record(folder: Path, source: Source) -> BuildingModel:
     if sha256_hex(file.read_bytes()) != source.import_sha256:
         raise ProjectError(f"{file} was changed. Put the old one back, or give --base.")
     return read_building(file)
+
+
+def read_back(design: BuildingModel) -> BuildingModel:
+    """Return a design as it comes back from its file, rounded as there."""
+    with tempfile.TemporaryDirectory(prefix="sitewright-") as scratch:
+        write_building(design, Path(scratch) / BUILDING)
+        return read_building(Path(scratch) / BUILDING)
+
+
+def layer_names(folder: Path, design: BuildingModel) -> LayerNames:
+    """Return the names that the user gave our layers when the design was imported."""
+    source = imported_source(design)
+    words = source.options.get("map_file") if source else None
+    if not isinstance(words, str) or not (folder / words).exists():
+        return LayerNames()
+    return read_map(folder / words).layers
 
 
 def _path(source: Source) -> str:

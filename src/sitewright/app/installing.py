@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from sitewright.app.run_folder import RunFolder, event_of
-from sitewright.building_model.as_built import InstallRecord, fold
+from sitewright.building_model.as_built import VERIFIED, InstallRecord, fold
 from sitewright.building_model.formats.native import write_building
 from sitewright.building_model.model import BuildingModel
 from sitewright.central_controller.events import ComponentInstalled
@@ -25,7 +25,7 @@ InstalledAt = Mapping[ComponentId, str]
 def as_built_model(
     model: BuildingModel, site: SiteState, installed_at: InstalledAt
 ) -> BuildingModel:
-    """Return the design with all installed targets folded in.
+    """Return the design with all targets folded in that have their piece, installed or not.
 
     Args:
         model: The design; it is not changed.
@@ -73,7 +73,19 @@ def _install_records(site: SiteState, installed_at: InstalledAt) -> list[Install
                 o: "done" if o in site.done_operations else "open"
                 for o in site.operations.get(target, ())
             },
+            status=_status(site, target),
         )
-        for target in site.installed
+        for target in dict.fromkeys((*site.installed, *site.placed))
         if (placed := site.placed.get(target)) is not None
     ]
+
+
+def _status(site: SiteState, target: ComponentId) -> str:
+    """Return how far a target is that has its piece."""
+    if target in site.installed:
+        return VERIFIED
+    if target in site.needs_rework:
+        return "rejected"
+    if site.is_secured(target):
+        return "fastened"
+    return "placed" if target in site.standing else "held"

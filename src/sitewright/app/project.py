@@ -140,11 +140,17 @@ def example_folder(example: str) -> Path:
 
 def require_project(folder: Path, cell_file: Path) -> None:
     """Raise `ProjectError` if a folder or one of the files that it needs is missing."""
+    require_building(folder)
+    if not cell_file.exists():
+        raise ProjectError(f"{folder} has no {cell_file.name}. `sitewright new` makes one.")
+
+
+def require_building(folder: Path) -> None:
+    """Raise `ProjectError` if a folder or its building is missing."""
     if not folder.is_dir():
         raise ProjectError(f"{folder} is no folder. `sitewright new {folder}` makes a project.")
-    for file, origin in ((folder / BUILDING, "sitewright import"), (cell_file, "sitewright new")):
-        if not file.exists():
-            raise ProjectError(f"{folder} has no {file.name}. `{origin}` makes one.")
+    if not (folder / BUILDING).exists():
+        raise ProjectError(f"{folder} has no {BUILDING}. `sitewright import` makes one.")
 
 
 def _settings(folder: Path) -> Mapping[str, Json]:

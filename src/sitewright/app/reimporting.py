@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tempfile
 from contextlib import nullcontext
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
@@ -12,7 +11,8 @@ from sitewright.app.clock import SystemClock
 from sitewright.app.design_changes import design_change, keep_design, told
 from sitewright.app.event_log import EventLog
 from sitewright.app.ids import UuidSource
-from sitewright.app.import_records import imported_source, read_record
+from sitewright.app.import_notes import NOTES, notes_file
+from sitewright.app.import_records import imported_source, read_back, read_record
 from sitewright.app.importing import ImportOptions, keeping_record, read_design
 from sitewright.app.inferring import surroundings_of
 from sitewright.app.locks import locked
@@ -23,7 +23,7 @@ from sitewright.app.reinferring import inferred_anew, is_inferred, stated_facts,
 from sitewright.app.run import fold_of, newest_run
 from sitewright.app.run_folder import RunFolder, chain_of
 from sitewright.building_model.component import Layer, Source
-from sitewright.building_model.formats.native import read_building, write_building
+from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.inference.bare import without_inferred
 from sitewright.building_model.merging import (
     Conflict,
@@ -170,7 +170,7 @@ def _merged(
         changes=tuple(c for c in changes_between(old, after) if c.key != "sources"),
         conflicts=tuple(conflicts),
         problems=(*said, *protected, *open_points),
-    ), kept
+    ), {**kept, **notes_file((*said, *open_points))}
 
 
 def _protected(
@@ -237,13 +237,6 @@ def _sources(old: BuildingModel, before: Source, now: Source) -> tuple[Source, .
     return (*(s for s in old.sources if s != before), now)
 
 
-def read_back(design: BuildingModel) -> BuildingModel:
-    """Return a design as it comes back from its file, rounded as there."""
-    with tempfile.TemporaryDirectory(prefix="sitewright-") as scratch:
-        write_building(design, Path(scratch) / BUILDING)
-        return read_building(Path(scratch) / BUILDING)
-
-
 def _history(folder: Path) -> _History:
     design = site_of(read_building(folder / BUILDING))
     newest = newest_run(folder / "runs")
@@ -276,6 +269,8 @@ def _written(
     for path, content in kept.items():
         (folder / path).parent.mkdir(exist_ok=True)
         write_whole(folder / path, content)
+    if NOTES not in kept:
+        (folder / NOTES).unlink(missing_ok=True)
     write_whole(folder / BACKUP, data)
     write_whole(folder / BUILDING, text.encode())
     return replace(found, is_written=True, superseded=_tell(text, found, history))

@@ -11,9 +11,9 @@ from sitewright.app.design_changes import project_at
 from sitewright.app.looking import graph_at
 from sitewright.app.project import Project
 from sitewright.app.run import fold_of, newest_run
-from sitewright.app.run_folder import RunFolder, chain_of, event_of, run_folders
+from sitewright.app.run_folder import RunFolder, chain_of, event_of, run_named
 from sitewright.central_controller.site_state import SiteState, site_of
-from sitewright.errors import ExecutionError, did_you_mean
+from sitewright.errors import ExecutionError
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.labels import labels_of
 from sitewright.interaction_twin.report.content import RunSummary, Stamped
@@ -86,10 +86,7 @@ def _folder(project: Project, run: str | None) -> RunFolder:
                 f"{project.folder} has no run yet. `sitewright run {project.folder}` begins one."
             )
         return newest
-    names = [f.run for f in run_folders(runs)]
-    if run not in names:
-        raise ExecutionError(f"There is no run {run!r} in {runs}.{did_you_mean(run, names)}")
-    return RunFolder(runs / run)
+    return run_named(runs, run)
 
 
 def _as_designed_then(project: Project, folder: RunFolder) -> Project:

@@ -18,6 +18,7 @@ from sitewright.app.run_folder import (
     next_run_folder,
     refuse_network_folder,
     run_folders,
+    run_named,
 )
 from sitewright.app.runner import Run, RunPorts, run_to_stop
 from sitewright.app.runner_commands import perform
@@ -31,7 +32,7 @@ from sitewright.central_controller.events import (
 )
 from sitewright.central_controller.ports import Answer, Question
 from sitewright.central_controller.site_state import SiteState
-from sitewright.errors import ExecutionError, did_you_mean
+from sitewright.errors import ExecutionError
 from sitewright.foundation.clock import Clock
 from sitewright.foundation.ids import ComponentId, IdSource, RunId
 from sitewright.journal.sqlite import SqliteJournal
@@ -119,7 +120,7 @@ def resolve(  # noqa: PLR0913 -- one line of the command line
 ) -> Question:
     """Answer the open question of a run about a step; the next `run` goes on from there."""
     with _locked_project(runs):
-        folder = _folder_of(runs, run)
+        folder = run_named(runs, run)
         state, _ = fold_of(chain_of(folder), design)
         question = state.question
         if question is None:
@@ -230,13 +231,6 @@ def _message(state: CycleState) -> str:
         return f"All {len(state.site.targets)} components are installed."
     left = [t for t in state.site.targets if t not in state.site.installed]
     return f"{len(left)} of {len(state.site.targets)} components are not built: {', '.join(left)}."
-
-
-def _folder_of(runs: Path, run: str) -> RunFolder:
-    names = [f.run for f in run_folders(runs)]
-    if run not in names:
-        raise ExecutionError(f"There is no run {run!r} in {runs}.{did_you_mean(run, names)}")
-    return RunFolder(runs / run)
 
 
 @contextmanager

@@ -11,6 +11,7 @@ from sitewright.central_controller.codec import DecodeError, from_json, to_json
 from sitewright.central_controller.events import AnyEvent, RunStarted, event_from_json
 from sitewright.central_controller.fingerprint import check_code, fingerprint
 from sitewright.central_controller.proposal import Proposal
+from sitewright.errors import ExecutionError, did_you_mean
 from sitewright.foundation.canonical import canonical_json
 from sitewright.journal.blobs import BlobStore, sync_folder, write_whole
 from sitewright.journal.errors import JournalCorruptError, UnsafeFolderError
@@ -116,6 +117,14 @@ def run_folders(runs: Path) -> tuple[RunFolder, ...]:
     if not runs.is_dir():
         return ()
     return tuple(RunFolder(p) for p in sorted(runs.iterdir()) if (p / "journal.db").is_file())
+
+
+def run_named(runs: Path, run: str) -> RunFolder:
+    """Return a run of a project by its id; one that is not there is an `ExecutionError`."""
+    names = [f.run for f in run_folders(runs)]
+    if run not in names:
+        raise ExecutionError(f"There is no run {run!r} in {runs}.{did_you_mean(run, names)}")
+    return RunFolder(runs / run)
 
 
 def next_run_folder(runs: Path) -> RunFolder:

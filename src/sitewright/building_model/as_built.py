@@ -11,6 +11,10 @@ from sitewright.errors import BuildingModelError
 from sitewright.foundation.ids import ComponentId, OperationId
 from sitewright.foundation.pose import Pose
 
+VERIFIED = "verified"
+"""Status of a target that is installed: it stands, has its operations, and was measured."""
+_WITHOUT_RECORD: Mapping[Layer, str] = {Layer.TARGET: "planned", Layer.MATERIAL: "available"}
+
 
 class UnknownInstallationError(BuildingModelError):
     """A record is about a component that the design does not have; was it changed?"""
@@ -32,7 +36,8 @@ class InstallRecord:
         installed_at: Time of the event, ISO 8601 in UTC.
         world_T_measured: Sensed pose in the world.
         operations: Status of each operation: ``done`` or what went wrong.
-        status: Status of the target.
+        status: Status of the target: ``verified`` once it is installed, before that how far it is
+            (``held``, ``placed``, ``fastened``) or ``rejected``.
     """
 
     target: ComponentId
@@ -41,13 +46,14 @@ class InstallRecord:
     robot: str = ""
     installed_at: str = ""
     operations: Mapping[OperationId, str] = field(default_factory=dict)
-    status: str = "verified"
+    status: str = VERIFIED
 
 
 def fold(model: BuildingModel, installs: Sequence[InstallRecord]) -> BuildingModel:
     """Return the model as built: installed targets on layer As-Built, their pieces gone.
 
-    The design pose stays in `world_T_component`; the measured one is in `as_built`.
+    A target whose piece is in place but not installed yet stays a target with a record. The
+    design pose stays in `world_T_component`; the measured one is in `as_built`.
 
     Args:
         model: The design; it is not changed.
@@ -68,10 +74,37 @@ def fold(model: BuildingModel, installs: Sequence[InstallRecord]) -> BuildingMod
     )
 
 
+def is_installed(component: Component) -> bool:
+    """Whether a component was built by the team, fastened and measured."""
+    return component.layer is Layer.AS_BUILT and component.as_built is not None
+
+
+def status_of(component: Component) -> str:
+    """Return how far a component is; empty for what the team neither builds nor uses."""
+    if component.as_built is not None:
+        return component.as_built.status
+    return _WITHOUT_RECORD.get(component.layer, "")
+
+
+def deviation_of(component: Component, world_T_model: Pose) -> tuple[float, float] | None:
+    """Return how far (m, rad) a component was sensed from where it should be; None if it was not.
+
+    Args:
+        component: A component with or without an as-built record.
+        world_T_model: Places the model in the cell that measured it.
+    """
+    record = component.as_built
+    measured = record.world_T_component_measured if record else None
+    if measured is None:
+        return None
+    designed = world_T_model @ component.world_T_component
+    return designed.distance_to_m(measured), designed.angle_to_rad(measured)
+
+
 def _built(component: Component, record: InstallRecord) -> Component:
     return replace(
         component,
-        layer=Layer.AS_BUILT,
+        layer=Layer.AS_BUILT if record.status == VERIFIED else component.layer,
         as_built=AsBuilt(
             status=record.status,
             material_used=record.material,

@@ -1,4 +1,4 @@
-"""The command that writes the as-built state for other programs: ``export``."""
+"""The command that writes a state of the building for other programs: ``export``."""
 
 from __future__ import annotations
 
@@ -13,41 +13,36 @@ from sitewright.cli.output import Output
 @click.command()
 @project_argument
 @cell_option
-@click.option("--json-model", "kind", flag_value="json", help="As-built model, native schema.")
+@click.option("--json-model", "kind", flag_value="json", help="Model, native schema.")
 @click.option("--csv", "kind", flag_value="csv", default="csv", help="Table (the default).")
+@click.option("--gltf", "kind", flag_value="glb", help="3D scene, one .glb file.")
 @click.option("--ifc", "kind", flag_value="ifc", help="Lines added to a copy of the IFC file.")
 @click.option("--3dm", "kind", flag_value="rhino", help="Onto a copy of the Rhino file.")
+@click.option("--design", "is_design", is_flag=True, help="As designed, nothing built yet.")
+@click.option("--run", default="", help="As the run with this id left it; now by default.")
 @click.option("--original", type=FILE, help="The imported file, if it has moved.")
 @click.option("-o", "--out", type=click.Path(path_type=Path), help="File to write.")
 @json_option
-def export(
+def export(  # noqa: PLR0913 -- one argument for each option
     project: Path,
     cell: Path | None,
     kind: str,
+    run: str,
     original: Path | None,
     out: Path | None,
     *,
+    is_design: bool,
     is_json: bool,
 ) -> int:
-    """Write what was built: a table, the as-built model, or a patch on a copy of the original."""
-    from sitewright.app import exporting
-    from sitewright.app.project import open_project
+    """Write what was built: a table, a model, a 3D scene, or a patch on a copy of the original."""
+    from sitewright.app.built_state import Moment, state_at
+    from sitewright.app.exporting import export_as
 
+    if is_design and run:
+        raise click.UsageError("--design and --run name two states; give one.")
     screen = Output(is_json)
-    opened = open_project(project, cell=cell)
-    goal = out or opened.folder / f"as_built.{kind}"
-    if kind == "json":
-        written = exporting.export_json(opened, goal)
-    elif kind == "ifc":
-        source = original or exporting.original_of(opened, "ifc")
-        goal = out or source.with_name(f"{source.stem}_asbuilt.ifc")
-        written = exporting.export_ifc(opened, source, goal)
-    elif kind == "rhino":
-        source = original or exporting.original_of(opened, "rhino")
-        goal = out or source.with_name(f"{source.stem}_asbuilt.3dm")
-        written = exporting.export_rhino(opened, source, goal)
-    else:
-        written = exporting.export_csv(opened, goal)
+    state = state_at(project, Moment(is_design=is_design, run=run), cell=cell)
+    written = export_as(kind, state, original=original, out=out)
     for note in written.notes:
         screen.note(note)
     listed = ", ".join(str(f) for f in written.files)

@@ -1,8 +1,9 @@
 """Writes the as-built state into a copy of the IFC file that a model came from.
 
 The copy keeps every byte of the original; new lines stand before the end of its DATA section:
-a property set ``Sitewright_Construction`` per built element, one work schedule of what was done
-and a task per element. Tasks and properties of the designer are never edited.
+a property set ``Sitewright_Construction`` per built element and per used element of stock, one
+work schedule of what was done and a task per built element. Tasks and properties of the designer
+are never edited.
 """
 
 from __future__ import annotations
@@ -11,23 +12,20 @@ import json
 import math
 import os
 import tempfile
-from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitewright.building_model.component import AsBuilt, Component
+from sitewright.building_model.component import AsBuilt
 from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
 from sitewright.building_model.formats.import_process import Limits, answer_about
-from sitewright.building_model.model import BuildingModel
+from sitewright.building_model.object_states import ObjectState
 from sitewright.errors import BuildingModelError
 from sitewright.foundation.canonical import Json, sha256_hex
-from sitewright.foundation.pose import Pose, Vector, add
 
 _PATCH = "sitewright.building_model.formats.ifc_patch:lines_as_asked"
 _END_OF_SECTION = b"ENDSEC;"
-_DONE = ("verified", "fastened", "placed")
-_PARTLY = "partly"
+_DONE = ("verified", "fastened")
 
 
 class ForeignOriginalError(BuildingModelError):
@@ -53,21 +51,19 @@ class IfcPatch:
 
 def export_ifc(
     original: Path,
-    as_built: BuildingModel,
+    states: Mapping[str, ObjectState],
     out: Path,
     *,
     written_at: str,
-    world_T_model: Pose | None = None,
     limits: Limits | None = None,
 ) -> IfcPatch:
     """Write `out`: the original and, on top, what was built.
 
     Args:
         original: The IFC file that the model was imported from; only read.
-        as_built: The model with as-built records folded in.
+        states: What became of the file's elements (`object_states`).
         out: The copy; replaced as a whole once it has been read back.
         written_at: Time of writing, ISO 8601; used where no component has a time.
-        world_T_model: Places the model in the cell that measured it; the identity if missing.
         limits: What the parsing child may use.
 
     Raises:
@@ -79,7 +75,7 @@ def export_ifc(
     content = read_limited(original)
     if kind_of(content) is not FileKind.IFC or _END_OF_SECTION not in content:
         raise refused(original, "E3", "this is no IFC file in STEP format.", "Name the original.")
-    records = _records(as_built, world_T_model or Pose())
+    records = _records(states)
     request = {"seed": sha256_hex(content), "written_at": written_at}
     limits = limits or Limits()
     answer = _ask(original, {**request, "records": records, "expected": []}, limits)
@@ -127,59 +123,49 @@ def _write(path: Path, content: bytes) -> None:
         os.fsync(file.fileno())
 
 
-def _records(model: BuildingModel, world_T_model: Pose) -> list[dict[str, Json]]:
-    """Return one record per IFC element with something built, in order of time.
-
-    A component that is one body of an element has the element's id and a number behind a dot.
-    """
-    by_source: dict[str, list[Component]] = defaultdict(list)
-    for component in model.component_by_id.values():
-        if component.source is not None and component.source.kind == FileKind.IFC:
-            by_source[component.source.id.partition(".")[0]].append(component)
-    found = [
-        _record(source, components, world_T_model.inverse(), model.origin_shift_m)
-        for source, components in sorted(by_source.items())
-        if any(c.as_built is not None for c in components)
-    ]
+def _records(states: Mapping[str, ObjectState]) -> list[dict[str, Json]]:
+    """Return one record per IFC element that became something, in order of time."""
+    changed = (s for s in states.values() if s.kind == FileKind.IFC and s.is_changed)
+    found = [_record(state) for state in changed]
     return sorted(found, key=lambda r: (str(r["built_at"]), str(r["source_id"])))
 
 
-def _record(
-    source: str, components: Sequence[Component], model_T_world: Pose, shift: Vector
-) -> dict[str, Json]:
-    built = [(c, c.as_built) for c in components if c.as_built is not None]
-    component, state = max(built, key=lambda pair: (pair[1].installed_at, pair[0].id))
-    is_whole = len(built) == len(components) and len({s.status for _, s in built}) == 1
-    status = state.status if is_whole else _PARTLY
+def _record(state: ObjectState) -> dict[str, Json]:
+    built = state.record
     properties = [
-        ["Status", "IfcLabel", status],
-        ["Layer", "IfcLabel", str(component.layer)] if is_whole else None,
-        ["Component", "IfcText", ", ".join(c.id for c, _ in built)],
-        ["BuiltAt", "IfcLabel", state.installed_at],
-        ["Robot", "IfcLabel", state.robot],
-        ["MaterialUsed", "IfcLabel", state.material_used],
-        ["Operations", "IfcText", "; ".join(f"{o}: {s}" for o, s in state.operations.items())],
-        *_measured(component, state, model_T_world, shift),
+        ["Status", "IfcLabel", state.status],
+        ["Layer", "IfcLabel", state.layer.value if state.layer else ""],
+        ["Component", "IfcText", ", ".join(state.components)],
+        ["UsedFor", "IfcLabel", state.used_for],
+        *(_built(built) if built else ()),
+        *_measured(state),
     ]
     return {
-        "source_id": source,
-        "component": component.id,
-        "built_at": state.installed_at,
-        "is_done": status in _DONE,
-        "properties": [list(p) for p in properties if p is not None and p[2] not in {"", None}],
+        "source_id": state.source_id,
+        "component": state.components[0],
+        "built_at": built.installed_at if built else "",
+        "is_task": built is not None,
+        "is_done": state.status in _DONE,
+        "properties": [list(p) for p in properties if p[2] not in {"", None}],
     }
 
 
-def _measured(
-    component: Component, state: AsBuilt, model_T_world: Pose, shift: Vector
-) -> list[list[Json]]:
-    if state.world_T_component_measured is None:
-        return []
-    measured = model_T_world @ state.world_T_component_measured
-    design = component.world_T_component
-    at = add(measured.position_m, shift)
+def _built(record: AsBuilt) -> list[list[Json]]:
     return [
-        ["DeviationMm", "IfcReal", round(1000.0 * design.distance_to_m(measured), 4)],
-        ["DeviationDeg", "IfcReal", round(math.degrees(design.angle_to_rad(measured)), 4)],
+        ["BuiltAt", "IfcLabel", record.installed_at],
+        ["Robot", "IfcLabel", record.robot],
+        ["MaterialUsed", "IfcLabel", record.material_used],
+        ["Operations", "IfcText", "; ".join(f"{o}: {s}" for o, s in record.operations.items())],
+    ]
+
+
+def _measured(state: ObjectState) -> list[list[Json]]:
+    if state.deviation is None or state.file_T_component_measured is None:
+        return []
+    off_m, off_rad = state.deviation
+    at = state.file_T_component_measured.position_m
+    return [
+        ["DeviationMm", "IfcReal", round(1000.0 * off_m, 4)],
+        ["DeviationDeg", "IfcReal", round(math.degrees(off_rad), 4)],
         ["MeasuredCentreM", "IfcText", " ".join(f"{v:.6f}" for v in at)],
     ]

@@ -67,8 +67,10 @@ class _Patch:
         for record in records:
             element = self._file.by_guid(record["source_id"])
             self._property_set(name, element, record)
-            tasks.append(self._task(element, record))
-        self._schedule(tasks, [r["built_at"] for r in records if r["built_at"]])
+            if record["is_task"]:
+                tasks.append(self._task(element, record))
+        if tasks:
+            self._schedule(tasks, [r["built_at"] for r in records if r["built_at"]])
         return [e.to_string() for e in self._new]
 
     def _set_name(self) -> str:

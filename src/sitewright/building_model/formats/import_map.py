@@ -32,7 +32,10 @@ READ_KEYS = (
     "ground",
 )
 WRITTEN_KEYS = frozenset(
-    {"status", "built_at", "robot", "material_used", "deviation_mm", "deviation_deg"}
+    {
+        *("status", "built_at", "robot", "material_used", "used_for"),
+        *("deviation_mm", "deviation_deg"),
+    }
 )
 """Keys that an as-built export writes; an import passes them over."""
 _TABLES = ("user_text", "layers")

@@ -18,6 +18,7 @@ _ROLES: Mapping[str, Layer] = {
     "materials": Layer.MATERIAL,
     "asbuilt": Layer.AS_BUILT,
     "asdesigned": Layer.AS_DESIGNED,
+    "consumed": Layer.AS_DESIGNED,
     "virtualcollision": Layer.VIRTUAL_COLLISION,
     "virtualcollisions": Layer.VIRTUAL_COLLISION,
 }

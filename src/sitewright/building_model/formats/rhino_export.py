@@ -12,9 +12,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from sitewright.building_model.formats.detect import FileKind
 from sitewright.building_model.formats.import_process import Limits, answer_about
 from sitewright.building_model.formats.layer_rules import LayerNames
 from sitewright.building_model.formats.rhino import demand_whole
+from sitewright.building_model.object_states import ObjectState, status_document
 from sitewright.errors import BuildingModelError
 from sitewright.foundation.canonical import Json
 
@@ -50,7 +52,7 @@ def asbuilt_path(original: Path) -> Path:
 
 def export_rhino(
     original: Path,
-    status: Mapping[str, Json],
+    states: Mapping[str, ObjectState],
     out: Path,
     *,
     names: LayerNames | None = None,
@@ -60,7 +62,7 @@ def export_rhino(
 
     Args:
         original: The .3dm file that the model was imported from; only read.
-        status: Object id -> ``{"layer": .., "keys": {..}}``, the content of ``status.json``.
+        states: What became of the file's objects (`object_states`).
         out: The copy; replaced as a whole once it has been read back.
         names: The user's own names of our layers, as at the import.
         limits: What the writing child may use.
@@ -76,12 +78,13 @@ def export_rhino(
     room = max(limits.written_bytes, 2 * original.stat().st_size + _ROOM_BYTES)
     with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.name}.") as folder:
         draft, request = Path(folder) / out.name, Path(folder) / "request.json"
-        question = _question(original, draft, status, names or LayerNames())
+        changed = {i: s for i, s in states.items() if s.kind == FileKind.RHINO and s.is_changed}
+        question = _question(original, draft, changed, names or LayerNames())
         request.write_text(json.dumps(question), encoding="utf-8")
         allowed = replace(limits, written_bytes=room)
         answer = answer_about(original, _PATCH, str(request.absolute()), limits=allowed)
         written, missing = _texts(answer, "written"), _texts(answer, "missing")
-        if status and not written:
+        if changed and not written:
             raise ForeignDrawingError(f"{original} holds none of the objects that were built.")
         losses = (*_texts(answer, "losses"), *_shrunk(before, demand_whole(draft)))
         draft.replace(out)
@@ -89,12 +92,12 @@ def export_rhino(
 
 
 def _question(
-    original: Path, draft: Path, status: Mapping[str, Json], names: LayerNames
+    original: Path, draft: Path, changed: Mapping[str, ObjectState], names: LayerNames
 ) -> dict[str, Json]:
     return {
         "original": str(original.resolve()),
         "copy": str(draft.resolve()),
-        "status": status,
+        "status": status_document(changed),
         "role_by_name": {word: role.value for word, role in names.role_by_name.items()},
     }
 

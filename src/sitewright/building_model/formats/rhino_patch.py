@@ -1,7 +1,8 @@
 """Child side of the Rhino export: writes status and layers into a copy, tells what it lost.
 
 Runs in a child process (`import_process`); its argument is a request: ``original``, ``copy``,
-``status`` (source id -> layer and keys), ``role_by_name`` (the user's names of our layers).
+``status`` (the entries of ``status.json`` to write, by object id), ``role_by_name`` (the user's
+names of our layers).
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from sitewright.building_model.formats.import_map import PREFIX
 from sitewright.building_model.formats.layer_rules import LayerNames
 from sitewright.building_model.formats.unreadable import UnreadableError
 
+USED_LAYER = "Consumed"
+"""Layer of stock that was used."""
 _BETWEEN = "::"
 _TABLES = (
     *("Views", "NamedViews", "Materials", "Linetypes", "DimStyles", "Groups", "Layers"),
@@ -68,14 +71,21 @@ def patch(request: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def new_path(path: str, role: Layer, names: LayerNames) -> str:
-    """Return the layer path of an object whose role changed; type and group layers stay."""
-    label = "-".join(w.capitalize() for w in role.value.split("_"))
+def new_path(path: str, label: str, names: LayerNames) -> str:
+    """Return the layer path of an object whose role changed; type and group layers stay.
+
+    Args:
+        path: Its layer path now.
+        label: Name of the layer of its new role; a layer of the user's with that role is kept,
+            but for stock that was used, which no layer of a design is for.
+        names: The user's own names of our layers.
+    """
     segments = path.split(_BETWEEN) if path else []
     for index in reversed(range(len(segments))):
         found = names.role_of(segments[index].partition("[")[0].strip())
         if found is not None:
-            kept = segments[index] if found is role else label
+            is_there = found is names.role_of(label) and label != USED_LAYER
+            kept = segments[index] if is_there else label
             return _BETWEEN.join([*segments[:index], kept, *segments[index + 1 :]])
     return _BETWEEN.join([label, *segments])
 
@@ -83,18 +93,23 @@ def new_path(path: str, role: Layer, names: LayerNames) -> str:
 def _mark(model: Any, thing: Any, state: Mapping[str, Any], names: LayerNames) -> None:  # noqa: ANN401
     from sitewright.building_model.formats.rhino_reader import entry_at
 
-    attributes, role = thing.Attributes, Layer(state["layer"])
+    attributes, label = thing.Attributes, state["moves_to"]
     for key, value in state["keys"].items():
         attributes.SetUserString(PREFIX + key, str(value))
+    if not label:
+        return
     if attributes.GetUserString(f"{PREFIX}layer"):  # it would outvote the layer
-        attributes.SetUserString(f"{PREFIX}layer", role.value)
+        attributes.SetUserString(f"{PREFIX}layer", state["layer"])
     old = entry_at(model.Layers, attributes.LayerIndex)
-    path = new_path(str(old.FullPath) if old is not None else "", role, names)
+    path = new_path(str(old.FullPath) if old is not None else "", label, names)
     attributes.LayerIndex = _layer_at(model, path, old)
 
 
 def _layer_at(model: Any, path: str, like: Any) -> int:  # noqa: ANN401
-    """Return the index of a layer by its path; what is missing is made, in the old colour."""
+    """Return the index of a layer by its path; what is missing is made, in the old colour.
+
+    A new layer for stock that was used is off, and so is what is made below it.
+    """
     import rhino3dm
 
     by_path = {str(layer.FullPath): layer for layer in model.Layers}
@@ -109,6 +124,7 @@ def _layer_at(model: Any, path: str, like: Any) -> int:  # noqa: ANN401
                 layer.Color = like.Color
             if parent is not None:
                 layer.ParentLayerId = parent.Id
+            layer.Visible = name != USED_LAYER and (parent is None or bool(parent.Visible))
             found = model.Layers.FindIndex(model.Layers.Add(layer))
         parent = found
     return int(parent.Index) if parent is not None else 0

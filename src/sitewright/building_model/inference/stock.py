@@ -16,6 +16,8 @@ from sitewright.foundation.pose import Pose, Vector, dot, subtract, translation
 
 _BEARS = 0.6
 """A piece may lie on one of at least this share of its own length."""
+_IN_THE_MIDDLE_M = 1e-6
+"""What is this near to the middle is in it, however its numbers were rounded."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,9 +76,10 @@ def stock_for(
         target = components[arrival.id]
         side = side_of(target, arrival, statics, coming[:number], around)
         turn = turn_of(target, statics, coming[:number], around.shoulder_m[side])
-        wants_first = (
-            dot(subtract(target.world_T_component.position_m, around.middle_m), around.along) <= 0.0
+        off_middle_m = dot(
+            subtract(target.world_T_component.position_m, around.middle_m), around.along
         )
+        wants_first = off_middle_m <= _IN_THE_MIDDLE_M
         _lay(piles[side], target, turn, uses, wants_first=wants_first)
     used = [pile for side in "ab" for pile in piles[side] if pile.pieces]
     return [piece for pile in used for piece in pile.pieces], [_stack(pile) for pile in used]
