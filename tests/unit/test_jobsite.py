@@ -12,6 +12,7 @@ from sitewright.building_model.component import FastenerSpec, Process
 from sitewright.central_controller.situation import piece_shapes
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, OperationId
 from sitewright.foundation.pose import Pose, translation
+from sitewright.foundation.shapes import Shape, moved
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import (
     ArmState,
@@ -25,7 +26,7 @@ from sitewright.planning_twin.jobsite import (
     with_tool,
     world_T_dock,
 )
-from sitewright.planning_twin.scene import Attachment
+from sitewright.planning_twin.scene import Attachment, SceneSnapshot
 
 GUN, DRIVER, GRIPPER = (EndEffectorId(e) for e in ("nail-gun", "screwdriver", "gripper-s"))
 PIECE = ComponentId("thin.5")
@@ -111,13 +112,20 @@ def test_a_gripper_without_a_station_is_not_left_anywhere() -> None:
         world_T_dock(site().cell, site().cell.end_effector_by_id[GRIPPER])
 
 
+def in_tip_frame(scene: SceneSnapshot, body: BodyId) -> Shape:
+    placement = scene.bodies[body].placement
+    assert isinstance(placement, Attachment)
+    return moved(scene.bodies[body].shape, placement.tip_T_body)
+
+
 def test_an_opened_gripper_has_its_fingers_further_apart() -> None:
     tool = site().cell.end_effector_by_id[GRIPPER]
     scene = scene_of(site())
     shut, wide = (with_aperture(scene, tool, a) for a in (0.04, 0.16))
     for finger in bodies_of_tool(tool)[1:]:
+        assert shut.bodies[finger].shape == wide.bodies[finger].shape
         near, far = (
-            max(abs(v[1]) for part in s.bodies[finger].shape for v in part.vertices_m())
+            max(abs(v[1]) for part in in_tip_frame(s, finger) for v in part.vertices_m())
             for s in (shut, wide)
         )
         assert far - near == pytest.approx(0.06, abs=1e-9)

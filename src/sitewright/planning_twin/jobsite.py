@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
 
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, RobotId, StationId
 from sitewright.foundation.pose import Pose, Vector, translation
@@ -12,8 +11,8 @@ from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.scene import Attachment, Body, RobotInScene, SceneSnapshot
 from sitewright.robot_team.cell import Cell, EndEffector, EndEffectorKind, Robot
-from sitewright.robot_team.description import Description, Joints
-from sitewright.robot_team.gripper import finger_parts, palm_shape
+from sitewright.robot_team.description import Joints
+from sitewright.robot_team.gripper import finger_shapes, mount_T_fingers, palm_shape
 
 _SAME_DIAMETER_M = 0.00005
 
@@ -114,16 +113,20 @@ def end_effector_bodies(
     bodies = [Body(id=BodyId(tool.id), shape=palm_shape(tool.description), placement=placement)]
     if tool.kind is EndEffectorKind.GRIPPER:
         within = min(max(aperture_m, 0.0), tool.opens_to_m)
+        shapes = finger_shapes(tool.description)
         bodies += [
-            Body(id=finger_body(tool.id, name), shape=shape, placement=placement)
-            for name, shape in _fingers(tool.description, within)
+            Body(
+                id=finger_body(tool.id, name), shape=shapes[name], placement=_shifted(placement, at)
+            )
+            for name, at in mount_T_fingers(tool.description, within).items()
         ]
     return bodies
 
 
-@lru_cache(maxsize=256)
-def _fingers(description: Description, aperture_m: float) -> tuple[tuple[str, Shape], ...]:
-    return tuple(finger_parts(description, aperture_m).items())
+def _shifted(placement: Pose | Attachment, mount_T_body: Pose) -> Pose | Attachment:
+    if isinstance(placement, Attachment):
+        return Attachment(placement.robot, placement.tip_T_body @ mount_T_body)
+    return placement @ mount_T_body
 
 
 def finger_body(tool: EndEffectorId, finger: str) -> BodyId:

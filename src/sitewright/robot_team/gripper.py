@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 
 from sitewright.foundation.pose import Pose
@@ -20,11 +21,27 @@ def finger_parts(description: Description, aperture_m: float) -> dict[str, Shape
         description: An end effector; one without prismatic joints has no fingers.
         aperture_m: Distance between the pads; a value beyond the fingers' travel is a ValueError.
     """
+    shapes, poses = finger_shapes(description), mount_T_fingers(description, aperture_m)
+    return {name: moved(shape, poses[name]) for name, shape in shapes.items()}
+
+
+@lru_cache(maxsize=64)
+def finger_shapes(description: Description) -> Mapping[str, Shape]:
+    """Return each finger's shape in the finger's own frame, which moves with the finger."""
+    mount_T_link = _opened(description, 0.0)
+    shapes: dict[str, Shape] = {}
+    for joint in _fingers(description):
+        finger_T_mount = mount_T_link[joint.child].inverse()
+        finger_T_link = {link: finger_T_mount @ pose for link, pose in mount_T_link.items()}
+        shapes[_name(joint)] = _shape_of(description, joint.child, finger_T_link)
+    return shapes
+
+
+@lru_cache(maxsize=256)
+def mount_T_fingers(description: Description, aperture_m: float) -> Mapping[str, Pose]:
+    """Return where the fingers are in the mount frame; see `finger_parts`."""
     mount_T_link = _opened(description, aperture_m)
-    return {
-        joint.name.removeprefix("finger_"): _shape_of(description, joint.child, mount_T_link)
-        for joint in _fingers(description)
-    }
+    return {_name(joint): mount_T_link[joint.child] for joint in _fingers(description)}
 
 
 @lru_cache(maxsize=64)
@@ -49,6 +66,10 @@ def _fingers(description: Description) -> list[Joint]:
     return [j for j in description.joints if j.kind is JointKind.PRISMATIC]
 
 
+def _name(finger: Joint) -> str:
+    return finger.name.removeprefix("finger_")
+
+
 def _opened(description: Description, aperture_m: float) -> dict[str, Pose]:
     for joint in _fingers(description):
         if not joint.lower_rad - _SLACK_M <= aperture_m / 2.0 <= joint.upper_rad + _SLACK_M:
@@ -63,8 +84,8 @@ def _opened(description: Description, aperture_m: float) -> dict[str, Pose]:
     return link_poses(description, q)
 
 
-def _shape_of(description: Description, first: str, mount_T_link: dict[str, Pose]) -> Shape:
-    """Return the shapes of a link and of all that is fixed to it."""
+def _shape_of(description: Description, first: str, frame_T_link: dict[str, Pose]) -> Shape:
+    """Return the shapes of a link and of all that is fixed to it, in one frame."""
     rigid = {first}
     for joint in description.joints:
         if joint.kind is JointKind.FIXED and joint.parent in rigid:
@@ -73,5 +94,5 @@ def _shape_of(description: Description, first: str, mount_T_link: dict[str, Pose
         part
         for link in description.links
         if link.name in rigid
-        for part in moved(link.shape, mount_T_link[link.name])
+        for part in moved(link.shape, frame_T_link[link.name])
     )

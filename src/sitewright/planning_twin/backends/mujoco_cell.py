@@ -50,6 +50,10 @@ class MujocoCell:
             robot: [int(self.model.joint(j).qposadr[0]) for j in joints]
             for robot, joints in writer.joints_of.items()
         }
+        self._is_carried_by = {
+            robot: np.array([writer.robot_of.get(n) == robot for n in self._names()])
+            for robot in scene.robots
+        }
 
     def place(self, scene: SceneSnapshot) -> None:
         """Put all still bodies and all robots where a snapshot has them."""
@@ -60,6 +64,15 @@ class MujocoCell:
                 self.model.body_quat[number] = body.placement.quaternion_wxyz
         for robot, state in scene.robots.items():
             self.data.qpos[self._address_of[robot]] = state.q_rad
+
+    def look_at(self, robot: RobotId | None) -> None:
+        """Look from now on only at pairs that a robot's motion can change; None: at all pairs.
+
+        MuJoCo looks at a pair if one side's type meets the other side's affinity.
+        """
+        carried = True if robot is None else self._is_carried_by[robot]
+        self.model.body_contype[:] = carried
+        self.model.geom_contype[:] = self.model.body_contype[self.model.geom_bodyid]
 
     def touching(self, robot: RobotId, q: Array) -> tuple[Array, Array] | None:
         """Return what is within the margin at a posture of one robot; None if nothing is.
@@ -81,6 +94,9 @@ class MujocoCell:
         if found is not None:
             for (a, b), distance_m in zip(*(f.tolist() for f in found), strict=True):
                 yield self.pair(a, b), distance_m
+
+    def _names(self) -> list[str]:
+        return [self.name_by_body.get(n, "") for n in range(self.model.nbody)]
 
     def pair(self, a: int, b: int) -> Pair:
         """Return the names of two bodies."""
@@ -113,7 +129,7 @@ class _SpecWriter:
         self.spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_FILTERPARENT
         self.names: list[str] = []
         self.joints_of: dict[RobotId, list[str]] = {}
-        self._robot_of: dict[str, RobotId] = {}
+        self.robot_of: dict[str, RobotId] = {}
 
     def add(self, scene: SceneSnapshot) -> None:
         mounts = {robot: self._add_robot(scene, robot) for robot in scene.robots}
@@ -122,7 +138,7 @@ class _SpecWriter:
                 continue
             if isinstance(body.placement, Attachment):
                 tip = mounts[body.placement.robot]
-                self._robot_of[body.id] = body.placement.robot
+                self.robot_of[body.id] = body.placement.robot
                 self._add_body(
                     tip.body, body.id, tip.body_T_link @ body.placement.tip_T_body, body.shape
                 )
@@ -132,12 +148,8 @@ class _SpecWriter:
     def leave_out(self, counted: set[Pair]) -> None:
         """Leave out the pairs of one robot's things that the proof does not count."""
         for a, b in combinations(self.names, 2):
-            robot = self._robot_of.get(a)
-            if (
-                robot is not None
-                and robot == self._robot_of.get(b)
-                and pair_of(a, b) not in counted
-            ):
+            robot = self.robot_of.get(a)
+            if robot is not None and robot == self.robot_of.get(b) and pair_of(a, b) not in counted:
                 self.spec.add_exclude(bodyname1=a, bodyname2=b)
 
     def _add_robot(self, scene: SceneSnapshot, robot: RobotId) -> _Mount:
@@ -147,7 +159,7 @@ class _SpecWriter:
 
         def add_link(parent: Any, link: str, pose: Pose) -> Any:  # noqa: ANN401
             name = link_name(robot, link)
-            self._robot_of[name] = robot
+            self.robot_of[name] = robot
             return self._add_body(parent, name, pose, shapes[link])
 
         mount_of = {

@@ -40,13 +40,14 @@ class MujocoCrossCheck(CrossCheck):
         robot = timed.path.robot
         times = sample_times(timed.trajectory, step_s=_STEP_S, step_rad=_STEP_RAD)
         postures = positions_at(timed.trajectory, times)
-        seen = _seen(cell, robot, postures)
+        segments = np.minimum(
+            np.searchsorted(np.array(timed.segment_ends_s), times, side="left"),
+            len(timed.path.segments) - 1,
+        )
+        firsts = np.searchsorted(segments, np.unique(segments))
+        seen = _seen(cell, robot, postures, set(firsts.tolist()))
         closest_m = cell.margin_m
         if seen is not None:
-            segments = np.minimum(
-                np.searchsorted(np.array(timed.segment_ends_s), times, side="left"),
-                len(timed.path.segments) - 1,
-            )
             limits = self._limits(scene, timed, cell)
             a, b = seen.bodies.T
             tau_m = limits.tau_m[segments[seen.sample], a, b]
@@ -96,8 +97,19 @@ class _Seen:
     distance_m: Array
 
 
-def _seen(cell: MujocoCell, robot: RobotId, postures: Array) -> _Seen | None:
-    found = [(n, near) for n, q in enumerate(postures) if (near := cell.touching(robot, q))]
+def _seen(cell: MujocoCell, robot: RobotId, postures: Array, whole: set[int]) -> _Seen | None:
+    """Return what is within the margin; pairs that stay as they are, only in `whole` samples."""
+    found: list[tuple[int, tuple[Array, Array]]] = []
+    cell.look_at(robot)
+    for number, q in enumerate(postures):
+        if number in whole:
+            cell.look_at(None)
+        near = cell.touching(robot, q)
+        if near is not None:
+            found.append((number, near))
+        if number in whole:
+            cell.look_at(robot)
+    cell.look_at(None)
     if not found:
         return None
     return _Seen(

@@ -7,11 +7,11 @@ from dataclasses import replace
 from sitewright.building_model.component import FastenerSpec
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
-from sitewright.foundation.shapes import Hull
+from sitewright.foundation.shapes import Hull, Shape
 from sitewright.planning_twin.approach import CONTACT_M, NEIGHBOUR_M
 from sitewright.planning_twin.jobsite import Jobsite, bodies_of_tool, finger_body, scene_of
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk
-from sitewright.planning_twin.scene import Body, SceneSnapshot
+from sitewright.planning_twin.scene import Body
 from sitewright.planning_twin.setting_down import lying_on_fixtures, pose_on
 from sitewright.planning_twin.skill_motions.reach import placed_piece
 from sitewright.planning_twin.skill_motions.resting import resting_contacts
@@ -184,7 +184,12 @@ def _finger_sweep(
     then = finger_parts(tool.description, aperture_m)
     scene = scene_of(stage.site)
     for name, parts in then.items():
-        scene = _with_swept(scene, finger_body(tool.id, name), parts, now[name])
+        swept = Body(
+            id=finger_body(tool.id, name),
+            shape=_swept(parts, now[name]),
+            placement=scene.bodies[BodyId(tool.id)].placement,
+        )
+        scene = scene.with_body(swept)
     gripper = bodies_of_tool(tool)
     allowed = {
         **resting_contacts(stage, robot),
@@ -198,13 +203,12 @@ def _finger_sweep(
     return BlockedBy(pairs=pairs, reason="the fingers have no room") if pairs else None
 
 
-def _with_swept(scene: SceneSnapshot, body: BodyId, *ends: tuple) -> SceneSnapshot:  # type: ignore[type-arg]
-    pieces = tuple(
+def _swept(*ends: Shape) -> Shape:
+    """Return what a shape passes through between two places, part by part."""
+    return tuple(
         Hull(tuple(v for part in both for v in part.vertices_m()))
         for both in zip(*ends, strict=True)
     )
-    old: Body = scene.bodies[body]
-    return scene.with_body(replace(old, shape=pieces))
 
 
 PLANNERS = {

@@ -15,7 +15,7 @@ from sitewright.planning_twin.approach import (
 )
 from sitewright.planning_twin.jobsite import (
     Jobsite,
-    bodies_of_tool,
+    end_effector_bodies,
     scene_of,
     world_T_dock,
 )
@@ -80,7 +80,7 @@ def _dock(progress: _Progress, robot: RobotId, old: EndEffector) -> _Progress | 
     if not isinstance(motion, PlannedMotion):
         return motion
     dock = world_T_dock(stage.context.cell, old)
-    edits = dict.fromkeys(bodies_of_tool(old), dock)
+    edits = {b.id: b.placement for b in end_effector_bodies(old, dock, 0.0)}
     site = with_joints(stage.site, robot, down.contact_rad)
     arm = replace(site.arms[robot], mounted=None, aperture_m=0.0)
     docked = {**site.docked, old.id: old.station}
@@ -108,7 +108,8 @@ def _take(progress: _Progress, robot: RobotId, new: EndEffector) -> _Progress | 
     motion = finished_motion(stage, robot, scene_of(stage.site), segments)
     if not isinstance(motion, PlannedMotion):
         return motion
-    edits = dict.fromkeys(bodies_of_tool(new), Attachment(robot, Pose()))
+    taken = end_effector_bodies(new, Attachment(robot, Pose()), 0.0)
+    edits = {b.id: b.placement for b in taken}
     site = _mounted(with_joints(stage.site, robot, down.contact_rad), robot, new)
     return _Progress(
         stage=stage.at(site), motions=(*progress.motions, replace(motion, scene_edits=edits))
