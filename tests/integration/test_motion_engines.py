@@ -225,6 +225,21 @@ def test_mujoco_uses_the_thresholds_of_each_segment() -> None:
     assert found.threshold_m == scene.clearance_m
 
 
+def test_mujoco_looks_at_pairs_that_stand_in_every_segment() -> None:
+    """B's gun stands in a plank that only the first of A's two segments lets it touch."""
+    gun = SCENE.robots[B].world_T_base @ tip_pose(kr120(), HOME)
+    scene = SCENE.with_body(box("plank", (0.3, 0.3, 0.02), Pose(gun.apply((0.0, 0.0, 0.38)))))
+    contact = {("nailer", "plank"): -0.05}
+    turned = tuple((HOME[0] + turn, *HOME[1:]) for turn in (0.0, 0.02, 0.04))
+    first = PathSegment(waypoints_rad=turned[:2], threshold_m=contact)
+    second = PathSegment(waypoints_rad=turned[1:])
+    declared = timed(first, replace(second, threshold_m=contact))
+    assert isinstance(BACKENDS.cross_check.check(scene, declared), Agreement)
+    found = BACKENDS.cross_check.check(scene, timed(first, second))
+    assert isinstance(found, Disagreement)
+    assert found.pair == ("nailer", "plank")
+
+
 def test_scenes_with_moved_bodies_and_postures_are_not_confused() -> None:
     moved = SCENE.placed(BodyId("table"), translation(0.0, 0.0, -2.0)).with_joints(
         B, (0.8, *HOME[1:])

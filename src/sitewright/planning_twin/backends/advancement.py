@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from sitewright.planning_twin.backends.distances import EPS_M, DistanceEngine, lower_bounds
 from sitewright.planning_twin.backends.kinematic_chain import Array
-from sitewright.planning_twin.backends.layout import Indices
+from sitewright.planning_twin.backends.pair_table import Indices
 from sitewright.planning_twin.backends.path_lines import Intervals, PathLines, equal_intervals
 from sitewright.planning_twin.backends.proof_scene import ProofScene
 from sitewright.planning_twin.backends.team_pairs import tables_of

@@ -29,12 +29,14 @@ class ArmModel:
 
     Attributes:
         parts_by_link: Parts of every link that has a shape.
+        radii_by_link: `swing_radii` of each of them.
         neighbours: Pairs of links that are never looked at: those that share a joint, and those
             that overlap in every posture, so that no motion could ever avoid it.
     """
 
     chain: KinematicChain
     parts_by_link: dict[str, tuple[CarriedPart, ...]]
+    radii_by_link: dict[str, tuple[Array, ...]]
     neighbours: frozenset[frozenset[str]]
 
 
@@ -51,6 +53,10 @@ def arm_model(description: Description) -> ArmModel:
     return ArmModel(
         chain=chain,
         parts_by_link=parts_by_link,
+        radii_by_link={
+            link: tuple(swing_radii(chain, p) for p in parts)
+            for link, parts in parts_by_link.items()
+        },
         neighbours=_adjacent(chain, parts_by_link) | _always_overlapping(chain, parts_by_link),
     )
 
@@ -72,20 +78,21 @@ def swing_radii(chain: KinematicChain, carried_part: CarriedPart) -> Array:
         return radii
     frame = carried_part.joint_T_part
     points = carried_part.part.vertices_m @ frame[:3, :3].T + frame[:3, 3]
-    radii[joint] = _off_axis(points, chain.axes[joint]).max()
+    radii[joint] = _off_axis(points, chain.spins[joint]).max()
     length = float(np.linalg.norm(points, axis=1).max())
     slide = np.where(chain.is_prismatic, np.maximum(np.abs(chain.lower), np.abs(chain.upper)), 0.0)
     for i in range(joint - 1, -1, -1):
         offset = chain.carrier_T_joint[i + 1][:3, 3]
         length += float(slide[i + 1])
-        radii[i] = float(_off_axis(offset[None], chain.axes[i])[0]) + length
+        radii[i] = float(_off_axis(offset[None], chain.spins[i])[0]) + length
         length += float(np.linalg.norm(offset))
     radii[: joint + 1][chain.is_prismatic[: joint + 1]] = 1.0
     return radii
 
 
-def _off_axis(points: Array, axis: Array) -> Array:
-    return np.asarray(np.linalg.norm(np.cross(points, axis), axis=1))
+def _off_axis(points: Array, spin: Array) -> Array:
+    """Return how far points are from an axis through the origin, given as its vector product."""
+    return np.asarray(np.linalg.norm(points @ spin.T, axis=1))
 
 
 def _adjacent(

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from sitewright.planning_twin.backends.kinematic_chain import Array
-from sitewright.planning_twin.backends.layout import Indices, Layout, PairTable
+from sitewright.planning_twin.backends.layout import Layout
+from sitewright.planning_twin.backends.pair_table import Indices, PairTable
 
 EPS_M = 1e-5
 """Reserve for the distance engine's own error (2e-6 m measured at its default tolerance)."""

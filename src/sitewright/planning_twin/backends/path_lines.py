@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sitewright.planning_twin.backends.kinematic_chain import Array
-from sitewright.planning_twin.backends.layout import Indices
+from sitewright.planning_twin.backends.pair_table import Indices
 from sitewright.planning_twin.motion import JointPath, TeamPath
 
 _SAME_WAYPOINT_RAD = 1e-9

@@ -8,7 +8,8 @@ import numpy as np
 
 from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.backends.kinematic_chain import Array
-from sitewright.planning_twin.backends.layout import Layout, PairTable
+from sitewright.planning_twin.backends.layout import Layout
+from sitewright.planning_twin.backends.pair_table import PairTable
 
 _Row = tuple[int, int]
 

@@ -68,6 +68,9 @@ def few_vertices(points: Points, *, limit: int = MAX_VERTICES) -> Points:
     taken until the hull is missed by little (4 mm, or 1 % of a body over 0.4 m), and then pushed
     outwards until all points are inside.
     """
+    whole = hull_facets(points)
+    if len(whole.corners) <= limit:
+        return whole.corners
     growth_m = max(_GROWTH_M, _GROWTH_SHARE * float(np.linalg.norm(np.ptp(points, axis=0))))
     chosen = _extremes(points)
     while True:
