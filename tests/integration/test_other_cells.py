@@ -10,6 +10,7 @@ import pytest
 
 from builders_arms import offset_wrist_urdf, seven_joint_urdf
 from builders_planning import EXAMPLES
+from builders_reach import checked, contradictions, missed
 from sitewright.app.planning import PlanReport, plan_project
 from sitewright.app.project import open_project
 
@@ -31,6 +32,14 @@ def test_every_target_of_the_example_has_a_certified_plan(example: str) -> None:
             for motion in step.motions:
                 assert motion.certificate.closest_distance_m >= 0.010
                 assert motion.agreement.samples > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("example", ["irb6700_frame", "track_frame", "four_arms"])
+def test_the_reach_check_calls_nothing_impossible_that_is_planned(example: str) -> None:
+    reach = checked(open_project(EXAMPLES / example))
+    assert contradictions(reach, planned(example)) == []
+    assert missed(reach, planned(example)) == []
 
 
 @pytest.mark.slow

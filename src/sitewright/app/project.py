@@ -23,6 +23,8 @@ from sitewright.errors import (
 )
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.pose import Pose
+from sitewright.foundation.shapes import Shape
 from sitewright.robot_team.cell import Cell
 from sitewright.robot_team.formats.cell_toml import read_cell
 
@@ -73,22 +75,38 @@ def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project
         ModelRejectedError: ``building.json`` has problems, or does not fit the cell.
         CellRejectedError: ``cell.toml`` has problems.
     """
-    folder = Path(path)
-    cell_file = folder / (cell or CELL)
-    require_project(folder, cell_file)
-    project = Project(
-        folder=folder,
-        cell_file=cell_file,
-        model=read_building(folder / BUILDING),
-        cell=read_cell(cell_file),
-        settings=_settings(folder),
-    )
+    project = read_project(path, cell=cell)
+    folder = project.folder
     found = [p for p in problems_of(project) if p.severity == "E"]
     errors = [p for p in found if p.code != _UNSUPPORTED]
     if errors:
         raise ModelRejectedError(str(folder / BUILDING), errors)
     floating = {ComponentId(p.where): f"{p.message} {p.fix}" for p in found}
     return replace(project, unsupported=floating)
+
+
+def read_project(path: Path | str, *, cell: Path | str | None = None) -> Project:
+    """Read a project whose model and cell need not fit each other.
+
+    Args:
+        path: The project folder.
+        cell: As for `open_project`.
+
+    Raises:
+        ProjectError: The folder or one of its files is missing.
+        ModelRejectedError: ``building.json`` cannot be read.
+        CellRejectedError: ``cell.toml`` has problems.
+    """
+    folder = Path(path)
+    cell_file = folder / (cell or CELL)
+    require_project(folder, cell_file)
+    return Project(
+        folder=folder,
+        cell_file=cell_file,
+        model=read_building(folder / BUILDING),
+        cell=read_cell(cell_file),
+        settings=_settings(folder),
+    )
 
 
 def problems_of(project: Project) -> list[Problem]:
@@ -98,17 +116,22 @@ def problems_of(project: Project) -> list[Problem]:
     from sitewright.planning_twin.backends.twin import make_backends
 
     model, cell = project.model, project.cell
-    obstacles = {
-        c.id: (shape_of(c), cell.world_T_model @ c.world_T_component)
-        for c in model.component_by_id.values()
-        if c.layer is Layer.VIRTUAL_COLLISION
-    }
+    obstacles = obstacles_of(model, cell)
     backends = make_backends()
     return [
         *check_project(model, cell),
         *posture_problems(cell, obstacles, backends.collision),
         *arm_problems(cell, backends.kinematics),
     ]
+
+
+def obstacles_of(model: BuildingModel, cell: Cell) -> dict[ComponentId, tuple[Shape, Pose]]:
+    """Return the shapes and world poses of what is drawn only to be kept out of."""
+    return {
+        c.id: (shape_of(c), cell.world_T_model @ c.world_T_component)
+        for c in model.component_by_id.values()
+        if c.layer is Layer.VIRTUAL_COLLISION
+    }
 
 
 def new_project(folder: Path | str, *, example: str = "wooden_frame") -> Path:

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import click
 
 from sitewright.cli.infer_commands import change_lines, changes_json
-from sitewright.cli.options import cell_option, json_option, project_argument
+from sitewright.cli.options import FILE, cell_option, json_option, project_argument
 from sitewright.cli.output import Output, problems_json
+from sitewright.cli.reach_report import show_reach
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,21 +27,34 @@ _INVALID = 3
 @click.option("--all", "is_all", is_flag=True, help="One line per problem; nothing is folded.")
 @click.option("--fix", is_flag=True, help="Show what the safe repairs would change.")
 @click.option("--write", is_flag=True, help="With --fix: change building.json, keep the old one.")
+@click.option("--reach", is_flag=True, help="Say who reaches what, in which way, instead.")
+@click.option("--svg", type=FILE, help="With --reach: write the picture to this file.")
 @json_option
-def check(
+def check(  # noqa: PLR0913 -- click
     project: Path,
     cell: Path | None,
-    is_all: bool,  # noqa: FBT001 -- click
-    fix: bool,  # noqa: FBT001 -- click
-    write: bool,  # noqa: FBT001 -- click
-    is_json: bool,  # noqa: FBT001 -- click
+    *,
+    is_all: bool,
+    fix: bool,
+    write: bool,
+    reach: bool,
+    svg: Path | None,
+    is_json: bool,
 ) -> int:
-    """List every problem of a project's files, with what to do about each."""
+    """List every problem of a project's files, with what to do about each.
+
+    With --reach: which robot can take, place, fasten and finish what, in which way, and what is
+    proven impossible. No paths are searched.
+    """
     from sitewright.app.checking import check as problems_of
 
     if write and not fix:
         raise click.UsageError("--write goes with --fix.")
+    if (svg is not None or fix) and reach == fix:
+        raise click.UsageError("--svg goes with --reach, and --reach without --fix.")
     out = Output(is_json)
+    if reach:
+        return show_reach(out, project, cell, svg=svg, is_all=is_all)
     if fix:
         return _fix(out, project, cell, is_all=is_all, write=write)
     problems = problems_of(project, cell=cell)

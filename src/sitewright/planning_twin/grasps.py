@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 
 from sitewright.foundation.pose import Pose, Vector, cross, dot, rotation, scale
 from sitewright.planning_twin.jobsite import PieceShape
 from sitewright.robot_team.cell import EndEffector
+from sitewright.robot_team.description import Description
 from sitewright.robot_team.gripper import finger_parts, mount_T_tcp
 
 _FLOOR_GAP_M = 0.002
@@ -114,15 +116,23 @@ def _depth(
     height_m: float, tool: EndEffector, approach: Vector, piece_R_tcp: Pose, width_m: float
 ) -> float | None:
     """Return how far past the piece's middle the tcp goes along the approach direction."""
-    tcp_T_mount = mount_T_tcp(tool.description).inverse()
-    overhang_m = max(
+    overhang_m = _overhang_m(tool.description, approach, piece_R_tcp, width_m)
+    depth_m = min(0.0, height_m / 2.0 - _FLOOR_GAP_M - overhang_m)
+    return depth_m if depth_m > -height_m / 2.0 + _MIN_PAD_M else None
+
+
+@lru_cache(maxsize=4096)
+def _overhang_m(
+    description: Description, approach: Vector, piece_R_tcp: Pose, width_m: float
+) -> float:
+    """Return how far the fingers end past the tcp along the approach direction."""
+    tcp_T_mount = mount_T_tcp(description).inverse()
+    return max(
         dot(piece_R_tcp.turn(tcp_T_mount.apply(vertex)), approach)
-        for shape in finger_parts(tool.description, width_m).values()
+        for shape in finger_parts(description, width_m).values()
         for part in shape
         for vertex in part.vertices_m()
     )
-    depth_m = min(0.0, height_m / 2.0 - _FLOOR_GAP_M - overhang_m)
-    return depth_m if depth_m > -height_m / 2.0 + _MIN_PAD_M else None
 
 
 def _offsets(length_m: float) -> list[float]:

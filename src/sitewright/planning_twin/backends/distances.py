@@ -14,6 +14,8 @@ EPS_M = 1e-5
 """Reserve for the distance engine's own error (2e-6 m measured at its default tolerance)."""
 _BALL_SUFFICES_M = 1.0
 """Boxes are not looked at where the balls are further apart than this."""
+Pairwise = tuple[Array, Array]
+"""Rows for the first and for the second part of each pair."""
 
 
 def lower_bounds(
@@ -32,33 +34,44 @@ def lower_bounds(
         row: For each question, the row in `table`.
     """
     a, b = table.a[row], table.b[row]
-    bounds = _ball_gaps(layout, placed, posture, a, b)
+    balls = (layout.radius_m[a], layout.radius_m[b])
+    bounds = ball_gaps((placed[posture, a], placed[posture, b]), balls)
     close = np.flatnonzero(bounds < _BALL_SUFFICES_M)
     if len(close):
-        boxes = _box_gaps(layout, placed, posture[close], a[close], b[close])
+        a, b, posture = a[close], b[close], posture[close]
+        frames = (placed[posture, a], placed[posture, b])
+        halves = (layout.half_m[a], layout.half_m[b])
+        boxes = box_gaps(frames, halves, (layout.radius_m[a], layout.radius_m[b]))
         bounds[close] = np.maximum(bounds[close], boxes)
     return bounds
 
 
-def _ball_gaps(layout: Layout, placed: Array, posture: Indices, a: Indices, b: Indices) -> Array:
-    between = placed[posture, b, :3, 3] - placed[posture, a, :3, 3]
+def ball_gaps(frames: Pairwise, radius_m: Pairwise) -> Array:
+    """Return the gaps between balls around the origins of frames, row by row."""
+    between = frames[1][:, :3, 3] - frames[0][:, :3, 3]
     length = np.sqrt(np.einsum("ki,ki->k", between, between))
-    return np.asarray(length - layout.radius_m[a] - layout.radius_m[b])
+    return np.asarray(length - radius_m[0] - radius_m[1])
 
 
-def _box_gaps(layout: Layout, placed: Array, posture: Indices, a: Indices, b: Indices) -> Array:
-    frames_a, frames_b = placed[posture, a], placed[posture, b]
-    turn_a, turn_b = frames_a[:, :3, :3], frames_b[:, :3, :3]
-    between = frames_b[:, :3, 3] - frames_a[:, :3, 3]
+def box_gaps(frames: Pairwise, half_m: Pairwise, radius_m: Pairwise) -> Array:
+    """Return, row by row, a distance that two boxes surely keep, negative if nothing is sure.
+
+    Args:
+        frames: k x 4 x 4 each; the boxes stand in the middle of them.
+        half_m: k x 3 each, half edges.
+        radius_m: Of the balls around what is in the boxes.
+    """
+    turn_a, turn_b = frames[0][:, :3, :3], frames[1][:, :3, :3]
+    between = frames[1][:, :3, 3] - frames[0][:, :3, 3]
     across = np.abs(turn_a.transpose(0, 2, 1) @ turn_b)
-    half_a, half_b = layout.half_m[a], layout.half_m[b]
+    half_a, half_b = half_m
     beyond_a = np.abs(np.einsum("kij,ki->kj", turn_a, between)) - half_a
     beyond_b = np.abs(np.einsum("kij,ki->kj", turn_b, between)) - half_b
     faces_a = beyond_a - np.einsum("kij,kj->ki", across, half_b)
     faces_b = beyond_b - np.einsum("kij,ki->kj", across, half_a)
     faces = np.maximum(faces_a.max(axis=1), faces_b.max(axis=1))
-    ball_b = _beyond_box(beyond_a) - layout.radius_m[b]
-    ball_a = _beyond_box(beyond_b) - layout.radius_m[a]
+    ball_b = _beyond_box(beyond_a) - radius_m[1]
+    ball_a = _beyond_box(beyond_b) - radius_m[0]
     return np.asarray(np.maximum(faces, np.maximum(ball_a, ball_b)))
 
 

@@ -12,12 +12,13 @@ from sitewright.planning_twin.backends.extensions import extension
 from sitewright.planning_twin.backends.kinematic_chain import Array, KinematicChain
 from sitewright.planning_twin.backends.opw_geometry import OpwGeometry
 from sitewright.planning_twin.backends.solver import OUTSIDE_LIMITS, nearest
-from sitewright.planning_twin.backends.whole_turns import distinct, wrapped
+from sitewright.planning_twin.backends.whole_turns import Flags, distinct, wrapped
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.robot_team.description import Joints
 
 _NUDGE_RAD = 1e-7
 """Turn about the tool's y axis that brings back the branches lost at a straight wrist."""
+_BRANCHES = 8
 _SINGULAR = 1e-6
 """Smallest singular value of the Jacobian under which a branch stands for many postures."""
 
@@ -66,6 +67,8 @@ class OpwSolver:
         a1, a2, b, c1, c2, c3, self._hand_m = geometry.lengths_m
         self.shoulder_m: Array = (geometry.base_T_opw @ (0.0, 0.0, c1, 1.0))[:3]
         self.reach_m = math.hypot(abs(a1) + abs(c2) + math.hypot(a2, c3), b)
+        self._shoulder_m, self._aside_m = (abs(a1), c1), b
+        self._outstretched_m = abs(c2) + math.hypot(a2, c3)
 
     def error(self, q: Array) -> float:
         """Return the largest difference between the closed form and the arm's own frames."""
@@ -78,25 +81,43 @@ class OpwSolver:
 
     def branches(self, base_T_tips: Array) -> list[Branches]:
         """Return the branches of each pose, m x 4 x 4."""
-        targets = self._opw_T_base @ base_T_tips @ self._tip_T_opw_tip
-        both = np.stack((targets, targets @ _NUDGE), axis=1)
-        joints, _, extension_m, sigma_min, _ = self._robot.reach(both.reshape(-1, 16))
-        slots = joints.reshape(len(targets), 2, -1, self.chain.joints)
-        filled = np.where(np.isfinite(slots[:, 0]), slots[:, 0], slots[:, 1])
+        filled, extension_m, is_singular = self.slots(base_T_tips)
         is_whole = np.asarray(np.isfinite(filled).all(axis=2))
-        sigma = np.asarray(sigma_min).reshape(len(targets), -1)
-        is_singular = np.asarray((sigma < _SINGULAR).any(axis=1))
         return [
             Branches(distinct(rows[whole]), float(extension), bool(singular))
             for rows, whole, extension, singular in zip(
-                filled, is_whole, extension_m[::2], is_singular, strict=True
+                filled, is_whole, extension_m, is_singular, strict=True
             )
         ]
 
+    def slots(self, base_T_tips: Array) -> tuple[Array, Array, Flags]:
+        """Return, for poses m x 4 x 4, eight places for branches, the reach, and singularity.
+
+        Returns:
+            m x 8 x n joints, NaN where there is no branch; how far each pose is within reach,
+            negative is out of reach; whether joints can share a turn freely in some branch.
+        """
+        targets = self._opw_T_base @ base_T_tips @ self._tip_T_opw_tip
+        both = np.stack((targets, targets @ _NUDGE), axis=1)
+        joints, _, extension_m, sigma_min, _ = self._robot.reach(both.reshape(-1, 16))
+        found = joints.reshape(len(targets), 2, _BRANCHES, self.chain.joints)
+        filled = np.where(np.isfinite(found[:, 0]), found[:, 0], found[:, 1])
+        sigma = np.asarray(sigma_min).reshape(len(targets), 2 * _BRANCHES)
+        is_singular = np.asarray((sigma < _SINGULAR).any(axis=1))
+        return filled, np.asarray(extension_m[::2]), is_singular
+
     def wrist_m(self, base_T_tip: Array) -> Array:
-        """Return the centre of the wrist at a tip pose, in the frame that the pose is in."""
+        """Return the centre of the wrist at a tip pose, or at each of many, in their frame."""
         hand = base_T_tip @ self._tip_T_opw_tip
-        return np.asarray(hand[:3, 3] - self._hand_m * hand[:3, 2])
+        return np.asarray(hand[..., :3, 3] - self._hand_m * hand[..., :3, 2])
+
+    def too_far_m(self, base_T_tips: Array) -> Array:
+        """Return how far poses, m x 4 x 4, are further than the outstretched arm; 0 if not."""
+        wrist_m = self.wrist_m(self._opw_T_base @ base_T_tips)
+        across2 = (wrist_m[:, :2] ** 2).sum(axis=1) - self._aside_m**2
+        out_m = np.sqrt(np.maximum(across2, 0.0)) - self._shoulder_m[0]
+        away_m = np.hypot(out_m, wrist_m[:, 2] - self._shoulder_m[1])
+        return np.asarray(np.maximum(0.0, away_m - self._outstretched_m))
 
     def postures(self, base_T_tip: Array, near: Array) -> Array | NoIk:  # noqa: ARG002 - a port
         """Return all branches inside the limits; an empty answer is a proof."""

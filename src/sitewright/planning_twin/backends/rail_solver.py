@@ -54,7 +54,7 @@ class RailSolver:
     """
 
     def __init__(self, chain: KinematicChain, arm: OpwSolver, rails: int) -> None:
-        self.chain, self._arm, self._rails = chain, arm, rails
+        self.chain, self.arm, self._rails = chain, arm, rails
         frames = chain.frames(np.zeros((1, chain.joints)))[0, :rails]
         self._base_T_carriage = frames[-1]
         self._ways = np.einsum("nij,nj->ni", frames[:, :3, :3], chain.axes[:rails])
@@ -64,7 +64,7 @@ class RailSolver:
     def tip(self, q: Joints) -> Array:
         """Return base_T_tip."""
         base_T_carriage = self._carriages(np.array([q[: self._rails]]))[0]
-        return np.asarray(base_T_carriage @ self._arm.tip(q[self._rails :]))
+        return np.asarray(base_T_carriage @ self.arm.tip(q[self._rails :]))
 
     def postures(self, base_T_tip: Array, near: Array) -> Array | NoIk:
         """Return the postures at the rail positions that were looked at, `near`'s among them."""
@@ -78,7 +78,7 @@ class RailSolver:
             tried += len(finer)
         if len(found):
             return found
-        beyond_m = self._beyond_m(base_T_tip)
+        beyond_m = self.beyond_m(base_T_tip)
         if beyond_m > 0.0:
             reason = "the tip pose is out of reach from everywhere on the rails"
             return NoIk(is_proven=True, extension_m=beyond_m, reason=reason)
@@ -97,7 +97,7 @@ class RailSolver:
 
     def _at(self, positions: Array, base_T_tip: Array) -> tuple[Array, Array]:
         """Return all postures inside the limits, and how far each position is within reach."""
-        branches = self._arm.branches(np.linalg.inv(self._carriages(positions)) @ base_T_tip)
+        branches = self.arm.branches(np.linalg.inv(self._carriages(positions)) @ base_T_tip)
         rows = [
             np.hstack((np.tile(rail, (len(b.postures), 1)), b.postures))
             for rail, b in zip(positions, branches, strict=True)
@@ -112,6 +112,23 @@ class RailSolver:
         out[:, :3, 3] += positions @ self._ways
         return out
 
+    def in_carriages(self, base_T_tips: Array) -> tuple[Array, Array]:
+        """Return the grid's positions of the rails, and each pose seen from each carriage.
+
+        Args:
+            base_T_tips: m x 4 x 4.
+
+        Returns:
+            r x rails, and m x r x 4 x 4.
+        """
+        carriage_T_base = np.linalg.inv(self._carriages(self._grid))
+        return self._grid, np.asarray(carriage_T_base[None] @ base_T_tips[:, None])
+
+    def corners(self) -> Array:
+        """Return base_T_carriage at all ends of the rails, m x 4 x 4."""
+        ends = itertools.product(*zip(self._lowest, self._highest, strict=True))
+        return self._carriages(np.array(list(ends)))
+
     def _finer(self, positions: Array) -> Array:
         """Return positions between the grid's, along each rail, around the given ones."""
         shares = np.linspace(-1.0, 1.0, 2 * _FINER + 1)
@@ -119,7 +136,7 @@ class RailSolver:
         near = (positions[:, None] + shifts).reshape(-1, self._rails)
         return np.unique(np.clip(near, self._lowest, self._highest), axis=0)
 
-    def _beyond_m(self, base_T_tip: Array) -> float:
+    def beyond_m(self, base_T_tip: Array) -> float:
         """Return how far a pose is out of reach from everywhere on the rails; 0 if it is not.
 
         The shoulder moves in a box that the rails span, the ball around it if they are not at
@@ -127,15 +144,15 @@ class RailSolver:
         """
         half = (self._highest - self._lowest) / 2.0
         middle = self._carriages((self._lowest + half)[None])[0]
-        shoulder = middle[:3, :3] @ self._arm.shoulder_m + middle[:3, 3]
-        away = self._arm.wrist_m(base_T_tip) - shoulder
+        shoulder = middle[:3, :3] @ self.arm.shoulder_m + middle[:3, 3]
+        away = self.arm.wrist_m(base_T_tip) - shoulder
         skew = float(np.abs(self._ways @ self._ways.T - np.eye(self._rails)).max())
         if skew < _RIGHT:
             along = np.clip(self._ways @ away, -half, half)
             distance_m = float(np.linalg.norm(away - along @ self._ways))
         else:
             distance_m = float(np.linalg.norm(away) - half.sum())
-        return max(0.0, distance_m - self._arm.reach_m - _RESERVE_M)
+        return max(0.0, distance_m - self.arm.reach_m - _RESERVE_M)
 
 
 def _grid(lower: Array, upper: Array) -> tuple[Array, Array]:
