@@ -19,6 +19,7 @@ from builders_planning import (
 )
 from sitewright.central_controller.fingerprint import fingerprint
 from sitewright.central_controller.ports import Escalation, Planned
+from sitewright.central_controller.situation import spot_of
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import translation
 from sitewright.robot_team.skill import Skill, SkillCall
@@ -169,3 +170,13 @@ def test_a_piece_that_nobody_sees_is_not_offered(frame: Rehearsal) -> None:
     assert isinstance(outcome, Planned)
     (grasp,) = [s for s in outcome.proposal.steps if s.call.skill == Skill.GRASP]
     assert grasp.call.arguments[0] == "thick.2"
+
+
+def test_a_nail_through_what_stands_is_shot_from_there_into_the_target(frame: Rehearsal) -> None:
+    design, context = frame.proposals.design, frame.before[STUD]
+    nail = design.component(STUD).operations[0]
+    turned = replace(nail, on=nail.on[::-1])
+    spots = [spot_of(context, STUD, o, design.world_T_target(STUD)) for o in (nail, turned)]
+    stud = ComponentId("some stud")
+    support = context.site.placed[SUPPORT_2].piece
+    assert [(s.body(stud), s.receiver(stud)) for s in spots] == [(stud, support), (support, stud)]

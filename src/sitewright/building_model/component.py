@@ -127,7 +127,7 @@ class Operation:
     """One thing that a tool does to a placed component.
 
     Attributes:
-        on: What it goes through and into, in order: the component itself, then the receiver.
+        on: What it goes through and into, in order; its own component is one of them.
         component_T_operation: z is the driving direction, or points into the painted face.
         after: Operations of the same model that must be done before this one.
         needs_hold: The handler must still hold the component while this is done.

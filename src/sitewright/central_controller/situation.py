@@ -163,14 +163,17 @@ def spot_of(
     operation: Operation,
     world_T_target: Pose,
 ) -> Spot:
-    """Return an operation placed in the world, with the piece that its receiver was made of."""
-    receiver = next((c for c in operation.on if c != target), None)
+    """Return an operation placed in the world, with the pieces that its components were made of."""
+    other = next((c for c in operation.on if c != target), None)
+    body = None if other is None else body_of(context, other)
+    is_first = other is None or operation.on[0] == target
     return Spot(
         operation=operation.id,
         process=operation.process,
         target=target,
         world_T_operation=world_T_target @ operation.component_T_operation,
-        into=None if receiver is None else body_of(context, receiver),
+        through=None if is_first else body,
+        into=body if is_first else None,
         fastener=operation.fastener,
         patch=operation.patch,
         needs_hold=operation.needs_hold,

@@ -23,18 +23,29 @@ class Spot:
 
     Attributes:
         world_T_operation: z is the driving direction, or points into the painted face.
-        into: What the fastener ends in: a piece or a fixture; None for a finish.
+        through: What stands already and the fastener enters first, to end in the target's own
+            piece; None if it enters that one first.
+        into: What a fastener through the target's own piece ends in; None for a finish.
     """
 
     operation: OperationId
     process: Process
     target: ComponentId
     world_T_operation: Pose
+    through: ComponentId | None = None
     into: ComponentId | None = None
     fastener: FastenerSpec | None = None
     patch: SurfacePatch | None = None
     needs_hold: bool = False
     after: tuple[OperationId, ...] = field(default=())
+
+    def body(self, piece: ComponentId) -> ComponentId:
+        """Return what the tool's tip stands on, given the piece at the target."""
+        return piece if self.through is None else self.through
+
+    def receiver(self, piece: ComponentId) -> ComponentId | None:
+        """Return what a fastener ends in, given the piece at the target; None for a finish."""
+        return self.into if self.through is None else piece
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -124,7 +124,7 @@ def can_drive(
     scene = scene_of(with_tool(site, robot.id, tool))
     reaching = Reaching(backends=context.backends, scene=scene, robot=robot.id)
     for pose in tool_poses(spot, tool, has_yaw=False):
-        touch = spot_touch(tool, piece, pose)
+        touch = spot_touch(tool, spot.body(piece), pose)
         if next(iter(Approaches(reaching, touch, robot.home_q_rad)), None) is not None:
             return True
     return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -27,6 +27,7 @@ from sitewright.building_model.inference.order_facts import (
     levels,
     new_relations,
     sequence_of,
+    with_joints,
 )
 from sitewright.building_model.inference.rules import Rules, rules_from
 from sitewright.building_model.inference.ways import ways_of
@@ -39,6 +40,7 @@ from sitewright.foundation.pose import Vector
 GRIPS_M = ((0.03, 0.20),)
 """Grip range if no gripper is known."""
 _COVERED = "its fasteners go in where the other one will cover them"
+_JOINED = "the other one is fastened to it"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -101,6 +103,7 @@ def _completed(
     sequence = sequence_of(bearing, steps, stated.before)
     ground = (bearing.up, bearing.ground_m)
     fastening = fasten(components, bodies, joints, sequence.place, ground)
+    sequence = with_joints(sequence, fastening.joined)
     numbers = levels(sequence, stated.order)
     made = {
         s.id: _held(
@@ -112,9 +115,12 @@ def _completed(
     }
     made = {i: _gripped(c, bearing, around) for i, c in made.items()}
     in_order = [made[s.id] for s in steps]
-    yard = yard_for(given, in_order, around.places, rules)
+    x, y, z = bearing.up
+    yard = yard_for(given, in_order, around.places, rules, (float(x), float(y), float(z)))
     merged = {**given.component_by_id, **made, **{p.id: p for p in yard.pieces}}
-    relations = (*new_relations(given, bearing, sequence), *_before(given, fastening, sequence))
+    relations = new_relations(given, bearing, sequence)
+    known = (*given.relations, *relations)
+    relations = (*relations, *_before(known, fastening, sequence.parents))
     problems += [*fastening.problems, *yard.problems]
     problems += fit_problems(components, bodies, interfaces)
     problems += contradictions(given, bearing, sequence)
@@ -144,13 +150,8 @@ def _nailed(
     made = {i: _fastened(components[i], fastening) for i in fastening.operations}
     made = {i: _hanging(c) if i in held else c for i, c in made.items()}
     problems = [_with_fasteners(p, made) for p in problems]
-    why = {"why": _COVERED}
-    known = {(r.a, r.b) for r in frame.relations if r.kind is RelationKind.BEFORE}
-    relations = [
-        Relation(kind=RelationKind.BEFORE, a=a, b=b, origin=Origin.INFERRED, data=why)
-        for a, b in sorted(set(fastening.before) - known)
-        if a not in components[b].construction_parents
-    ]
+    parents = {i: c.construction_parents for i, c in components.items()}
+    relations = _before(frame.relations, fastening, parents)
     return replace(
         frame,
         component_by_id={**frame.component_by_id, **made},
@@ -234,18 +235,18 @@ def _normals(face: Interface) -> list[Vector]:
     return [p.normal for p in face.patches]
 
 
-def _before(model: BuildingModel, fastening: Fastening, sequence: Assembling) -> Sequence[Relation]:
-    """Return what must be fastened before its entry face is covered, where nothing says so yet."""
-    known = {(r.a, r.b) for r in model.relations if r.kind is RelationKind.BEFORE}
-    pairs = {
-        (a, b)
-        for a, b in fastening.before
-        if a not in sequence.parents.get(b, ()) and (a, b) not in known
-    }
-    why = {"why": _COVERED}
+def _before(
+    relations: Iterable[Relation],
+    fastening: Fastening,
+    parents: Mapping[ComponentId, Sequence[ComponentId]],
+) -> list[Relation]:
+    """Return which order fasteners ask for, where nothing says so yet."""
+    known = {(r.a, r.b) for r in relations if r.kind is RelationKind.BEFORE}
+    why = dict.fromkeys(fastening.joined, _JOINED) | dict.fromkeys(fastening.before, _COVERED)
     return [
-        Relation(kind=RelationKind.BEFORE, a=a, b=b, origin=Origin.INFERRED, data=why)
-        for a, b in sorted(pairs)
+        Relation(kind=RelationKind.BEFORE, a=a, b=b, origin=Origin.INFERRED, data={"why": words})
+        for (a, b), words in sorted(why.items())
+        if (a, b) not in known and a not in parents.get(b, ())
     ]
 
 

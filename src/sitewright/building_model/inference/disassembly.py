@@ -10,11 +10,22 @@ import numpy.typing as npt
 
 from sitewright.building_model.inference.bodies import Points
 from sitewright.building_model.inference.carrying import Bearing, lowest_m
-from sitewright.building_model.inference.ways import Ways, slide_m, slides_along, sliding
+from sitewright.building_model.inference.ways import (
+    Ways,
+    contact_slides,
+    slide_m,
+    slides_along,
+    sliding,
+)
 from sitewright.foundation.ids import ComponentId
 
 _CLEAR, _SHORT, _LOCKED = 0, 1, 2
 _RISES = 1e-3
+_MANY = 1_000_000
+_SEVERAL = 2
+
+_Rank = tuple[int, bool, float, int]
+"""How hard it is to take a component out; see `_Disassembly._ranks`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,6 +81,8 @@ class _Disassembly:
         self.present = {i for i in ways.names if i not in given.existing}
         self.far = ways.far.sum(axis=2, dtype=np.int64)
         self.near = ways.near.sum(axis=2, dtype=np.int64)
+        self.contacts = contact_slides(bearing, ways)
+        self.slides = self.contacts.sum(axis=2, dtype=np.int64)
         self.height = {i: -round(lowest_m(b, bearing.up), 4) for i, b in bearing.bodies.items()}
         self.above: dict[ComponentId, set[ComponentId]] = {i: set() for i in ways.names}
         self.after: dict[ComponentId, set[ComponentId]] = {i: set() for i in ways.names}
@@ -85,7 +98,9 @@ class _Disassembly:
     def take(self) -> Step:
         """Take the best component out and say how it went."""
         ranks = self._ranks()
-        chosen = self._choose(sorted(self.present, key=lambda i: ranks[i]))
+        chosen = self._choose(
+            sorted(self.present, key=lambda i: (*ranks[i], -self.index[i])), ranks
+        )
         trouble = ranks[chosen][0]
         step = self._step(chosen, trouble)
         k = self.index[chosen]
@@ -93,38 +108,59 @@ class _Disassembly:
         self.gone.add(chosen)
         self.far -= self.ways.far[:, :, k]
         self.near -= self.ways.near[:, :, k]
+        self.slides -= self.contacts[:, :, k]
         return step
 
-    def _ranks(self) -> dict[ComponentId, tuple[int, bool, float, int]]:
-        """Clear ways first, then those that rise, then high ones; built by id."""
+    def _ranks(self) -> dict[ComponentId, _Rank]:
+        """Clear ways first, then those that rise, then high ones, then those that slide least."""
         free, short = self._free()
         rises = (self.ways.directions @ self.bearing.up) > _RISES
         clear, some = np.asarray(free.any(axis=0)), np.asarray(short.any(axis=0))
         open_ways = np.where(clear[None], free, short)
         up = np.asarray(open_ways[rises].any(axis=0))
+        slides = np.where(open_ways, self.slides, _MANY).min(axis=0)
         ranks = {}
         for i in self.present:
             k = self.index[i]
             trouble = _CLEAR if clear[k] else _SHORT if some[k] else _LOCKED
-            ranks[i] = (trouble, not up[k], self.height[i], -k)
+            ranks[i] = (trouble, not up[k], self.height[i], int(slides[k]))
         return ranks
 
     def _free(self) -> tuple[npt.NDArray[np.bool_], npt.NDArray[np.bool_]]:
         open_ = ~self.ways.barred
         return (self.far == 0) & open_, (self.near == 0) & open_
 
-    def _choose(self, ranked: list[ComponentId]) -> ComponentId:
+    def _choose(self, ranked: list[ComponentId], ranks: Mapping[ComponentId, _Rank]) -> ComponentId:
         """Return the first that may leave; step by step less is asked for.
 
         What the author states is asked for longest, then what carries what, then that nothing
-        is left hanging.
+        is left hanging. Of equals the first goes that leaves the others joined as they are.
         """
         allowed = [i for i in ranked if self._is_allowed(i)] or ranked
         bare = [i for i in allowed if not self._carries(i)]
         for component in bare:
             if not self._leaves_hanging(component):
-                return component
+                equals = [i for i in bare if ranks[i] == ranks[component]]
+                return next((i for i in equals if self._leaves_joined(i)), component)
         return (bare or allowed)[0]
+
+    def _leaves_joined(self, component: ComponentId) -> bool:
+        return not self._parts(component) and not self._leaves_hanging(component)
+
+    def _parts(self, component: ComponentId) -> bool:
+        """Whether what it is joined to falls into separate groups without it."""
+        joined = self.bearing.joined
+        there = (self.present | self.given.existing) - {component}
+        neighbours = set(joined[component] & there)
+        if len(neighbours) < _SEVERAL:
+            return False
+        waiting, reached = [neighbours.pop()], set[ComponentId]()
+        while waiting and neighbours:
+            one = waiting.pop()
+            reached.add(one)
+            neighbours.discard(one)
+            waiting += (joined[one] & there) - reached
+        return bool(neighbours)
 
     def _is_allowed(self, component: ComponentId) -> bool:
         if self.after[component] & self.present:

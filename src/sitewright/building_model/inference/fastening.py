@@ -11,6 +11,7 @@ from sitewright.building_model.check_fasteners import MIN_PENETRATION_M, penetra
 from sitewright.building_model.component import Component, Operation, Origin
 from sitewright.building_model.findings import warned
 from sitewright.building_model.inference.bodies import Body, Points
+from sitewright.building_model.inference.carrying import Edge
 from sitewright.building_model.inference.interfaces import Interface, Patch
 from sitewright.building_model.inference.rules import FastenRule, Rules
 from sitewright.errors import Problem
@@ -46,11 +47,13 @@ class Fastening:
     Attributes:
         operations: By the component that they secure: the later one of the two.
         before: (earlier, later): what is fastened before its entry face is covered.
+        joined: (earlier, later): what must be there for the later one to be fastened to.
     """
 
     operations: Mapping[ComponentId, tuple[Operation, ...]]
-    before: tuple[tuple[ComponentId, ComponentId], ...]
+    before: tuple[Edge, ...]
     problems: tuple[Problem, ...]
+    joined: tuple[Edge, ...] = ()
 
 
 def joints_of(
@@ -110,7 +113,8 @@ def fasten(
         ground: Unit vector up, and the height of the ground along it.
     """
     found: dict[ComponentId, tuple[Operation, ...]] = {}
-    before: list[tuple[ComponentId, ComponentId]] = []
+    before: list[Edge] = []
+    joined: list[Edge] = []
     problems: list[Problem] = []
     taken = _stated_entries(components)
     for joint in joints:
@@ -131,8 +135,12 @@ def fasten(
             continue
         taken += [(joint.through, np.array(p.position_m), np.array(p.z_axis)) for p in spots]
         found[owner] = (*found.get(owner, ()), *made)
+        if made:
+            joined.append((joint.into if owner == joint.through else joint.through, owner))
         before += [(owner, cover) for cover in covers]
-    return Fastening(operations=found, before=tuple(before), problems=tuple(problems))
+    return Fastening(
+        operations=found, before=tuple(before), problems=tuple(problems), joined=tuple(joined)
+    )
 
 
 _Entry = tuple[ComponentId, Points, Points]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from sitewright.building_model.component import Component, Origin
@@ -77,6 +77,15 @@ def sequence_of(
         floating=frozenset(floating),
         mutual=tuple(mutual),
     )
+
+
+def with_joints(sequence: Assembling, joined: Iterable[Edge]) -> Assembling:
+    """Return the sequence with what must be there for others (earlier, later) to be fastened."""
+    before = dict(sequence.before)
+    for earlier, later in joined:
+        if later in before:
+            before[later] |= {earlier}
+    return replace(sequence, before=before)
 
 
 def levels(sequence: Assembling, stated: Mapping[ComponentId, int]) -> dict[ComponentId, int]:

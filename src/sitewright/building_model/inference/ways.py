@@ -23,6 +23,7 @@ SOON_M = 0.030
 _EXTRA = 40
 _SAME = 0.9999
 _SLIDES = 1e-6
+_FACES_MAX = 255
 _TINY_M = 1e-6
 _DOWN = -1e-6
 
@@ -110,6 +111,18 @@ def _travel_m(bodies: Sequence[Body], directions: Points, bearing: Bearing) -> P
     above = np.array([lowest_m(b, bearing.up) - bearing.ground_m for b in bodies])
     drop = np.where(rises < _DOWN, -rises, 1.0)[:, None]
     return np.where(rises[:, None] < _DOWN, np.maximum(0.0, above)[None] / drop, across_m)
+
+
+def contact_slides(bearing: Bearing, ways: Ways) -> npt.NDArray[np.uint8]:
+    """Return along how many faces of each neighbour a component slides: ``[d, i, j]``."""
+    index = {name: k for k, name in enumerate(ways.names)}
+    found = np.zeros((len(ways.directions), len(index), len(index)), dtype=np.uint8)
+    for i, around in bearing.touching.items():
+        for j, face in around.items():
+            normals = np.array([p.normal for p in face.patches])
+            along = np.abs(normals @ ways.directions.T) < _SLIDES
+            found[:, index[i], index[j]] = np.minimum(along.sum(axis=0), _FACES_MAX)
+    return found
 
 
 def sliding(bearing: Bearing, component: ComponentId, others: Iterable[ComponentId]) -> Points:

@@ -14,12 +14,12 @@ from sitewright.building_model.inference.rules import Rules, StockRule
 from sitewright.building_model.inference.stock import piece_id
 from sitewright.building_model.matching import fits, material_type_of
 from sitewright.building_model.model import BuildingModel, Stack
-from sitewright.building_model.piling import piled
+from sitewright.building_model.piling import lying_section_m, piled, turn_as_placed
 from sitewright.building_model.shapes import UnsupportedGeometryError, size_of
 from sitewright.errors import Problem
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId, StackId, StockPlaceId
-from sitewright.foundation.pose import translation
+from sitewright.foundation.pose import Vector, translation
 
 CUT_FROM = "cut_from"
 """Key of a piece's `ext`: the board that it is cut from."""
@@ -42,6 +42,7 @@ def yard_for(
     targets: Sequence[Component],
     places: Sequence[StockPlaceId],
     rules: Rules,
+    up: Vector = (0.0, 0.0, 1.0),
 ) -> Yard:
     """Return one piece for every target without stock, piled so that the next lies on top.
 
@@ -50,6 +51,7 @@ def yard_for(
         targets: In order of use.
         places: Stock places of the cell; those that hold a stack already are left alone.
         rules: Stock lengths; a kind without a rule is taken to come in its final lengths.
+        up: Unit vector against gravity: pieces lie with the face up that is up at the target.
     """
     lacking = _without_stock(model, targets)
     free = [p for p in places if p not in {s.place for s in model.stacks}]
@@ -61,7 +63,7 @@ def yard_for(
         return Yard(pieces=(), stacks=(), problems=(warned("M1", lacking[0], message, fix),))
     boards, problems = _boards(lacking, rules)
     pieces = [_piece(t, boards.get(t.id)) for t in lacking]
-    found = list(_piles(pieces, free))
+    found = list(_piles(pieces, free, up))
     return Yard(
         pieces=tuple(p for _, laid in found for p in laid),
         stacks=tuple(stack for stack, _ in found),
@@ -152,15 +154,16 @@ def _piece(target: Component, board: Mapping[str, Json] | None) -> Component:
 
 
 def _piles(
-    pieces: Sequence[Component], places: Sequence[StockPlaceId]
+    pieces: Sequence[Component], places: Sequence[StockPlaceId], up: Vector
 ) -> Iterable[tuple[Stack, list[Component]]]:
     """Yield piles: pieces of one section together, the last used at the bottom.
 
     Piles go to the places in turn; further ones at a place stand beside the first along y.
     """
     rows: dict[tuple[float, float], list[Component]] = defaultdict(list)
+    turns = {piece.id: turn_as_placed(piece, up) for piece in pieces}
     for piece in reversed(pieces):
-        rows[size_of(piece)[1:]].append(piece)
+        rows[lying_section_m(piece, turns[piece.id])].append(piece)
     beside_m: dict[StockPlaceId, float] = dict.fromkeys(places, 0.0)
     counts: dict[StockPlaceId, int] = dict.fromkeys(places, 0)
     for (width_m, height_m), row in sorted(rows.items()):
@@ -180,4 +183,4 @@ def _piles(
                 items=tuple(p.id for p in items),
                 stock_T_stack=translation(0.0, shift_m, 0.0),
             )
-            yield stack, piled(stack, items)
+            yield stack, piled(stack, items, [turns[p.id] for p in items])

@@ -111,17 +111,21 @@ def plan_set_down(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
 def plan_fasten(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     """Drive one fastener from the contact pose."""
     spot = stage.context.task.spot(call.arguments[0])
-    if spot is None or spot.fastener is None or spot.into is None:
+    piece = placed_piece(stage)
+    receiver = None if spot is None else spot.receiver(piece)
+    if spot is None or spot.fastener is None or receiver is None:
         reason = f"{call.arguments[0]} has no fastener or no receiver"
         return _refused(call, NoIk(is_proven=True, reason=reason))
     params: dict[str, Json] = {
         "operation": spot.operation,
-        "through": placed_piece(stage),
-        "into": spot.into,
+        "through": spot.body(piece),
+        "into": receiver,
         "fastener": _fastener_json(spot.fastener),
         "penetration_m": MIN_PENETRATION_M,
     }
-    return _planned(stage, call, placed_piece(stage), params, stage.site)
+    act = _planned(stage, call, piece, params, stage.site)
+    tip = declared(CONTACT_M, bodies_of_tool(stage.tool(call.robot)), (BodyId(spot.body(piece)),))
+    return replace(act, contacts=tuple(sorted({*act.contacts, *tip})))
 
 
 def _fastener_json(fastener: FastenerSpec) -> Json:

@@ -161,7 +161,7 @@ def _spot_touches(stage: Stage, robot: RobotId, spot: Spot) -> Iterator[Touch]:
         yield from first_touches(spot, tool, piece)
         return
     for pose in tool_poses(spot, tool, has_yaw=False):
-        yield spot_touch(tool, piece, pose)
+        yield spot_touch(tool, spot.body(piece), pose)
 
 
 def placed_piece(stage: Stage) -> ComponentId:
