@@ -461,15 +461,48 @@ def test_operations_are_read_from_text() -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "reference"),
+    [
+        ("Obere Platte 2 (Achse A)", "Obere Platte 2 (Achse A)"),
+        ("Obere Platte 2 (Achse A)", " Obere Platte 2 (Achse A) "),
+        ("Träger 1", "Tra\u0308ger 1"),  # the same letter, composed by one program only
+        ("x" * 100, "x" * 100),
+    ],
+)
+def test_operations_mean_components_by_any_name(name: str, reference: str) -> None:
+    text = json.dumps([{"process": "nail", "on": ["a", reference]}])
+    model, _ = read([part("a", text={"ops": text}), part("b 1", name=name)])
+    (operation,) = model.component_by_id["a"].operations  # type: ignore[index]
+    assert operation.on == ("a", "b_1")
+
+
+def test_an_ambiguous_name_in_operations_is_told_by_that_name() -> None:
+    text = json.dumps([{"process": "nail", "on": ["a", "Obere Platte"]}])
+    parts = [part("a", text={"ops": text}), *(part(i, name="Obere Platte") for i in "bc")]
+    (problem,) = refusals(parts)
+    assert (problem.code, problem.where) == ("N1", "a")
+    assert "Component of operation 1 'Obere Platte' matches 2" in problem.message
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("nail", "no JSON list"),
-        ("[" * 5000, "no JSON list"),
+        ("nail", "not JSON"),
+        ('{"process": "nail"}', "no JSON list"),
+        ("[" * 5000, "nested deeper"),
+        ('[{"process": "nail", "process": "screw"}]', "stands twice"),
+        (
+            '[{"process": "nail", "at": [1%s, 0, 0], "direction": [0,0,1]}]' % ("0" * 400),
+            "no place",
+        ),
+        ('[{"process": "nail", "at": [1e400, 0, 0], "direction": [0,0,1]}]', "too large"),
+        ('[{"process": "nail", "on": [["Plate"]]}]', "on[1]"),
+        ('[{"process": "nail", "on": "Plate"}]', "on:"),
         ('[{"process": "nail", "at": [1, 2]}]', "no list of three numbers"),
         ('[{"process": "nial"}]', "process"),
         ('[{"process": "nail", "at": [0,0,0], "direction": [0,0,0]}]', "no length"),
         ('[{"process": "nail", "on": ["nobody"]}]', "does not exist"),
-        ('[{"process": "nail", "params": {"x": NaN}}]', "operation 1"),
+        ('[{"process": "nail", "params": {"x": NaN}}]', "NaN is not a number"),
     ],
 )
 def test_operations_that_cannot_be_read_are_refused(text: str, words: str) -> None:

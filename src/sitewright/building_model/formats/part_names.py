@@ -7,6 +7,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from sitewright.building_model.formats.user_text import word
 from sitewright.errors import Problem, did_you_mean
 from sitewright.foundation.canonical import sha256_hex
 from sitewright.foundation.ids import ComponentId
@@ -78,9 +79,10 @@ class Directory:
             return ComponentId(reference)
         if reference in self._by_source:
             return self._by_source[reference]
-        count = self._count[reference]
+        name = word(reference)  # as the names of components were taken
+        count = self._count[name]
         if count == 1:
-            return self._by_name[reference]
+            return self._by_name[name]
         if count > 1:
             message = f"{what} {reference!r} matches {count} components."
             return _refused("N1", child, message, "Use ids, or rename them.")

@@ -4,26 +4,28 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from sitewright.building_model.component import Operation
 from sitewright.building_model.formats.from_file import operation_from
+from sitewright.building_model.formats.json_text import parse
 from sitewright.building_model.formats.native_file import OperationFile
 from sitewright.building_model.formats.neutral_scale import Scale
 from sitewright.building_model.formats.part_names import Directory, Named
 from sitewright.building_model.formats.user_text import Attributes
 from sitewright.errors import Problem
 from sitewright.foundation.border import problems_from
-from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose, Vector, norm, scale, subtract
 
 _AT, _DIRECTION = "at", "direction"
 _THREE = 3
+_LARGEST = 1e12
 _MAX_CHARS = 100_000
-_FIX = "Correct 'sitewright.ops'; docs/import.md shows one."
+_KEY = "sitewright.ops"
+_FIX = f"Correct {_KEY!r}; docs/import.md shows one."
 
 
 def operations_of(
@@ -42,36 +44,52 @@ def operations_of(
     text = attributes.get("ops")
     if not text:
         return (), []
-    document = _parsed(text)
-    if not isinstance(document, list) or not all(isinstance(o, dict) for o in document):
-        return (), [_refused(named, "Its operations are no JSON list of objects.")]
+    entries, problems = _entries(text, named)
     operations: list[Operation] = []
-    problems: list[Problem] = []
-    for number, entry in enumerate(document, 1):
-        try:
-            stated = _placed(entry, world_T_component, scaling)
-            stated.setdefault("id", f"{named.id[:55]}.op{number}")
-            file = OperationFile.model_validate_json(json.dumps(stated, allow_nan=False))
-            operation = operation_from(file, named.id)
-        except ValidationError as error:
-            problems += _schema_problems(named, number, error, stated)
-            continue
-        except (ValueError, TypeError) as error:
-            problems.append(_refused(named, f"Its operation {number}: {error}."))
-            continue
-        on, said = _resolved(operation, named, directory)
-        problems += said
-        operations.append(replace(operation, on=on))
+    for number, entry in enumerate(entries, 1):
+        stated, said = _resolved(entry, number, named, directory)
+        operation, wrong = _operation(stated, number, named, world_T_component, scaling)
+        problems += [*said, *wrong]
+        operations += operation
     return tuple(operations), problems
 
 
-def _parsed(text: str) -> Any:  # noqa: ANN401 - JSON of a stranger
+def _entries(text: str, named: Named) -> tuple[list[dict[str, Any]], list[Problem]]:
     if len(text) > _MAX_CHARS:
-        return None
+        message = f"Its operations are longer than {_MAX_CHARS} characters."
+        return [], [_refused(named, message)]
+    document, wrong = parse(text, Path(_KEY))
+    if wrong:
+        return [], [_refused(named, f"Its operations: {p.message}", p.code) for p in wrong]
+    if not isinstance(document, list) or not all(isinstance(o, dict) for o in document):
+        return [], [_refused(named, "Its operations are no JSON list of objects.")]
+    return document, []
+
+
+def _resolved(
+    entry: Mapping[str, Any], number: int, named: Named, directory: Directory
+) -> tuple[dict[str, Any], list[Problem]]:
+    """Return an operation with ids instead of names, and the names that nobody knows."""
+    on = entry.get("on")
+    if not isinstance(on, list) or not all(isinstance(name, str) for name in on):
+        return dict(entry), []
+    found = [directory.find(n, named, f"Component of operation {number}") for n in on]
+    ids = [f for f in found if not isinstance(f, Problem)]
+    return {**entry, "on": ids}, [f for f in found if isinstance(f, Problem)]
+
+
+def _operation(
+    entry: Mapping[str, Any], number: int, named: Named, pose: Pose, scaling: Scale
+) -> tuple[list[Operation], list[Problem]]:
     try:
-        return json.loads(text)
-    except (ValueError, RecursionError):
-        return None
+        stated = _placed(entry, pose, scaling)
+        stated.setdefault("id", f"{named.id[:55]}.op{number}")
+        file = OperationFile.model_validate_json(json.dumps(stated))
+    except ValidationError as error:
+        return [], list(_schema_problems(named, number, error, stated))
+    except ValueError as error:
+        return [], [_refused(named, f"Its operation {number}: {error}.")]
+    return [operation_from(file, named.id)], []
 
 
 def _placed(entry: Mapping[str, Any], pose: Pose, scaling: Scale) -> dict[str, Any]:
@@ -98,18 +116,9 @@ def _vector(value: object, key: str) -> Vector:
         raise ValueError(f"its {key!r} is no list of three numbers")
     if not all(isinstance(v, int | float) and not isinstance(v, bool) for v in value):
         raise ValueError(f"its {key!r} is no list of three numbers")
+    if max(map(abs, value)) > _LARGEST:
+        raise ValueError(f"its {key!r} is no place in a building")
     return (float(value[0]), float(value[1]), float(value[2]))
-
-
-def _resolved(
-    operation: Operation, named: Named, directory: Directory
-) -> tuple[tuple[ComponentId, ...], list[Problem]]:
-    found = [
-        directory.find(name, named, f"Component of operation {operation.id!r}")
-        for name in operation.on
-    ]
-    problems = [f for f in found if isinstance(f, Problem)]
-    return tuple(f for f in found if not isinstance(f, Problem)), problems
 
 
 def _schema_problems(
