@@ -12,7 +12,7 @@ from builders_frame import beam
 from sitewright.building_model.component import Component
 from sitewright.building_model.inference.bodies import Body, body_of
 from sitewright.building_model.inference.completion import complete
-from sitewright.building_model.inference.separation import separation_of
+from sitewright.building_model.inference.separation import edged, separation_of
 from sitewright.building_model.inference.solid import Solid, solid_of
 from sitewright.building_model.inference.sweeping import TOLERANCE_M, overlaps
 from sitewright.building_model.model import BuildingModel, RelationKind
@@ -53,7 +53,7 @@ def test_the_exact_sweep_agrees_with_samples(
 ) -> None:
     """Where samples overlap clearly the sweep says so, and where it says so samples do, nearly."""
     direction = unit(_vector(along))
-    apart = separation_of(_solid(one), _solid(other))
+    apart = separation_of(edged(_solid(one)), edged(_solid(other)))
     travels = np.linspace(0.0, _REACH_M, 301)
     gaps = [apart.gap_m(scale(direction, float(t))) for t in travels]
     found = overlaps([body_of(one), body_of(other)], np.array([direction]))

@@ -10,7 +10,7 @@ from builders_frame import Z, beam
 from sitewright.building_model.component import ConvexGeometry, PlaneCut
 from sitewright.building_model.inference.contact import contact_between
 from sitewright.building_model.inference.insertion import way_out
-from sitewright.building_model.inference.separation import separation_of
+from sitewright.building_model.inference.separation import Separation, edged, separation_of
 from sitewright.building_model.inference.solid import Solid, solid_of
 from sitewright.building_model.shapes import shape_of
 from sitewright.foundation.ids import ComponentId
@@ -23,6 +23,10 @@ def box(centre: Vector, size: Vector = (1.0, 1.0, 1.0)) -> Solid:
     solid = solid_of(beam("x", centre, size))
     assert solid is not None
     return solid
+
+
+def apart(one: Solid, other: Solid) -> Separation:
+    return separation_of(edged(one), edged(other))
 
 
 def test_a_box_has_six_faces_and_eight_corners() -> None:
@@ -81,11 +85,11 @@ def test_gaps_edges_and_slivers_are_no_contact(centre: Vector) -> None:
     [((1.5, 0.0, 0.0), 0.5), ((0.0, 0.0, 1.0), 0.0), ((0.9, 0.2, 0.0), -0.1)],
 )
 def test_the_gap_between_boxes_is_exact_face_to_face(centre: Vector, gap_m: float) -> None:
-    separation = separation_of(box((0.0, 0.0, 0.0)), box(centre))
+    separation = apart(box((0.0, 0.0, 0.0)), box(centre))
     assert separation.gap_m() == pytest.approx(gap_m, abs=1e-9)
     assert separation.reversed().gap_m() == pytest.approx(gap_m, abs=1e-9)
     assert separation.gap_m((-0.25, 0.0, 0.0)) == pytest.approx(
-        separation_of(box((-0.25, 0.0, 0.0)), box(centre)).gap_m(), abs=1e-9
+        apart(box((-0.25, 0.0, 0.0)), box(centre)).gap_m(), abs=1e-9
     )
 
 
@@ -94,12 +98,12 @@ def test_crossing_beams_are_told_apart_by_their_edges() -> None:
         beam("x", (0.0, 0.0, 0.2), (3.0, 0.1, 0.1), x_axis=(0.0, 1.0, 0.0), y_axis=(1.0, 0.0, 1.0))
     )
     assert turned is not None
-    gap_m = separation_of(box((0.0, 0.0, 0.0), (3.0, 0.1, 0.1)), turned).gap_m()
+    gap_m = apart(box((0.0, 0.0, 0.0), (3.0, 0.1, 0.1)), turned).gap_m()
     assert gap_m == pytest.approx(0.2 - 0.05 - 0.05 * math.sqrt(2.0))
 
 
 def test_a_box_on_another_leaves_upwards_without_sliding() -> None:
-    way = way_out([separation_of(box((0.0, 0.0, 1.0)), box((0.0, 0.0, 0.0)))], Z, 1.0)
+    way = way_out([apart(box((0.0, 0.0, 1.0)), box((0.0, 0.0, 0.0)))], Z, 1.0)
     assert way is not None
     assert way.direction == pytest.approx(Z)
     assert way.slide_m == 0.0
@@ -107,7 +111,7 @@ def test_a_box_on_another_leaves_upwards_without_sliding() -> None:
 
 def test_a_box_in_a_corner_leaves_away_from_both_walls() -> None:
     middle = box((0.0, 0.0, 0.0))
-    walls = [separation_of(middle, box(c)) for c in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))]
+    walls = [apart(middle, box(c)) for c in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))]
     way = way_out(walls, Z, 0.0)
     assert way is not None
     assert way.direction[0] < -0.3
@@ -117,7 +121,7 @@ def test_a_box_in_a_corner_leaves_away_from_both_walls() -> None:
 
 def test_a_box_between_two_walls_slides_out_along_them() -> None:
     middle = box((0.0, 0.0, 0.0))
-    walls = [separation_of(middle, box((x, 0.0, 0.0))) for x in (1.0, -1.0)]
+    walls = [apart(middle, box((x, 0.0, 0.0))) for x in (1.0, -1.0)]
     way = way_out(walls, Z, 0.0)
     assert way is not None
     assert way.direction == pytest.approx(Z)
@@ -128,7 +132,7 @@ def test_a_box_that_is_walled_in_has_no_way_out() -> None:
     middle = box((0.0, 0.0, 0.0))
     around = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
     walls = [
-        separation_of(middle, box((s * x, s * y, s * z), (1.0, 1.0, 1.0)))
+        apart(middle, box((s * x, s * y, s * z), (1.0, 1.0, 1.0)))
         for x, y, z in around
         for s in (1.0, -1.0)
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -91,7 +92,10 @@ def extent_of(shape: Shape, frame_T_shape: Pose | None = None) -> Extent:
 
 def volume_of(component: Component) -> float:
     """Return the volume in m3, saw cuts taken off."""
-    return sum(volume_m3(part.vertices_m()) for part in shape_of(component))
+    return sum(
+        math.prod(part.size_m) if isinstance(part, Box) else volume_m3(part.vertices_m())
+        for part in shape_of(component)
+    )
 
 
 def mass_of(component: Component, materials: Mapping[str, Json] | None = None) -> float:

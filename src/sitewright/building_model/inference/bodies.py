@@ -190,14 +190,11 @@ def _around(corners: Points, normal: Points, offset: float) -> tuple[int, ...]:
 def _volume_and_centre(part: Part) -> tuple[float, Points]:
     """Sum pyramids from the middle to the faces' triangles."""
     middle = part.corners_m.mean(axis=0)
-    volume, moment = 0.0, np.zeros(3)
-    for polygon in part.polygons:
-        fan = part.corners_m[list(polygon)] - middle
-        for k in range(1, len(fan) - 1):
-            six = float(fan[0] @ np.cross(fan[k], fan[k + 1]))
-            volume += six / 6.0
-            moment += six / 24.0 * (fan[0] + fan[k] + fan[k + 1])
-    return max(volume, _FLAT), middle + moment / max(volume, _FLAT)
+    fans = [(p[0], p[k], p[k + 1]) for p in part.polygons for k in range(1, len(p) - 1)]
+    a, b, c = (part.corners_m - middle)[np.array(fans).T]
+    six = np.einsum("ij,ij->i", a, np.cross(b, c))
+    volume = max(float(six.sum()) / 6.0, _FLAT)
+    return volume, np.asarray(middle + six @ (a + b + c) / 24.0 / volume)
 
 
 def _distinct(directions: Points) -> Points:

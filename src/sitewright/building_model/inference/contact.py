@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import combinations, pairwise
+from itertools import pairwise
 
+from sitewright.building_model.inference.nearness import near_pairs
 from sitewright.building_model.inference.solid import Face, Solid
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Vector, add, cross, dot, norm, scale, subtract
@@ -34,7 +35,7 @@ class Contact:
 def contacts_of(solid_by_id: Mapping[ComponentId, Solid]) -> list[Contact]:
     """Return the largest contact of every touching pair, in order of id."""
     found = []
-    for a, b in combinations(sorted(solid_by_id), 2):
+    for a, b in near_pairs(solid_by_id, GAP_M):
         contact = contact_between(a, solid_by_id[a], b, solid_by_id[b])
         if contact is not None:
             found.append(contact)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from sitewright.building_model.component import BoxGeometry, Component
+from sitewright.building_model.inference.blocking import STEP_M, Obstacles, samples
 from sitewright.building_model.inference.order import Arrival
 from sitewright.building_model.inference.solid import Solid
 from sitewright.building_model.inference.statics import GROUND_M, Statics
@@ -30,7 +33,6 @@ SHOULDER_M = 1.1
 CORRIDOR_M = 0.6
 """Gripper and wrist need this much room in front of the face."""
 _HALF_WIDTH_M = 0.10
-_STEP_M = 0.05
 _NEAR_M = 0.30
 """What is this near to a component's middle does not hide it."""
 _LEANS = 0.2
@@ -77,13 +79,45 @@ def surroundings_of(statics: Statics) -> Surroundings:
     )
 
 
-def side_of(
-    component: Component,
-    arrival: Arrival,
-    statics: Statics,
-    there: Iterable[Arrival],
-    around: Surroundings,
-) -> str:
+class Site:
+    """What stands already when a component comes: all that came before it."""
+
+    def __init__(self, statics: Statics, coming: Sequence[Arrival]) -> None:
+        self.statics = statics
+        self._place = {a.id: k for k, a in enumerate(coming)}
+        solids = [statics.solid_by_id[a.id] for a in coming]
+        self._obstacles = Obstacles(solids, _HALF_WIDTH_M)
+
+    def is_there(self, other: ComponentId, before: ComponentId) -> bool:
+        """Whether a component came before another one."""
+        return self._place.get(other, len(self._place)) < self._place[before]
+
+    def is_hidden(self, component: ComponentId, middle: Vector, shoulder_m: Vector) -> bool:
+        """Whether something that it is not joined to stands between its middle and a shoulder."""
+        towards = subtract(shoulder_m, middle)
+        room_m = distance(middle, shoulder_m) - STEP_M
+        start = add(middle, scale(unit(towards), _NEAR_M))
+        joined = self.statics.joined[component]
+        return self._obstacles.hide(
+            start,
+            unit(towards),
+            max(0.0, room_m - _NEAR_M),
+            self._place[component],
+            {self._place[j] for j in joined if j in self._place},
+        )
+
+    def blocked(
+        self, component: ComponentId, corridors: Sequence[tuple[Vector, Vector]]
+    ) -> list[bool]:
+        """Return for each start and direction whether something stands in the corridor there."""
+        starts, directions = np.array(corridors).swapaxes(0, 1)
+        points = samples(starts, directions, CORRIDOR_M)
+        near = self._obstacles.near(points, self._place[component])
+        held = self._obstacles.held(points, near.tolist())
+        return [bool(corridor.any()) for corridor in np.split(held, len(corridors))]
+
+
+def side_of(component: Component, arrival: Arrival, site: Site, around: Surroundings) -> str:
     """Return the long side that a component comes from.
 
     Its way in decides; if that leads to neither side, the side from which it is in plain sight
@@ -94,27 +128,16 @@ def side_of(
     if abs(lean) > _LEANS:
         return "a" if lean > 0.0 else "b"
     middle = component.world_T_component.position_m
-    joined = statics.joined[component.id]
-    built = [statics.solid_by_id[a.id] for a in there if a.id not in joined]
     return min(
         "ab",
         key=lambda side: (
-            _is_hidden(middle, around.shoulder_m[side], built),
+            site.is_hidden(component.id, middle, around.shoulder_m[side]),
             round(distance(middle, around.shoulder_m[side]), 4),
         ),
     )
 
 
-def _is_hidden(middle: Vector, shoulder_m: Vector, built: list[Solid]) -> bool:
-    towards = subtract(shoulder_m, middle)
-    room_m = distance(middle, shoulder_m) - _STEP_M
-    start = add(middle, scale(unit(towards), _NEAR_M))
-    return _is_blocked(start, unit(towards), built, max(0.0, room_m - _NEAR_M))
-
-
-def turn_of(
-    component: Component, statics: Statics, there: Iterable[Arrival], shoulder_m: Vector
-) -> Pose:
+def turn_of(component: Component, site: Site, shoulder_m: Vector) -> Pose:
     """Return how the piece lies on its pile: turned about its length, the gripper's face up.
 
     The gripper takes a piece from above, and still has it by this face when it is placed: it
@@ -122,68 +145,88 @@ def turn_of(
 
     Args:
         component: A box-shaped target.
-        statics: Contacts and solids of the model.
-        there: What is built before it.
+        site: What is built before it.
         shoulder_m: Where the arm's shoulder is taken to be.
     """
-    built = [a.id for a in there]
-    axis, sign = max(_FACES, key=lambda face: _worth(component, statics, built, shoulder_m, face))
+    pose = component.world_T_component
+    axes = (pose.x_axis, pose.y_axis, pose.z_axis)
+    looks = [_look(component, axes, *face) for face in _FACES]
+    blocked = iter(site.blocked(component.id, [c for look in looks for c in look.corridors]))
+    worth = [
+        _worth(component, site, shoulder_m, look, [next(blocked) for _ in look.corridors])
+        for look in looks
+    ]
+    axis, sign = _FACES[worth.index(max(worth))]
     if axis == 1:
         return rotation((1.0, 0.0, 0.0), sign * _RIGHT_ANGLE)
     return Pose() if sign > 0.0 else rotation((1.0, 0.0, 0.0), 2.0 * _RIGHT_ANGLE)
 
 
-def _worth(
-    component: Component,
-    statics: Statics,
-    built: list[ComponentId],
-    shoulder_m: Vector,
-    face: tuple[int, float],
-) -> float:
-    axis, sign = face
-    pose = component.world_T_component
-    normal = scale((pose.x_axis, pose.y_axis, pose.z_axis)[axis], sign)
-    closing = (pose.x_axis, pose.y_axis, pose.z_axis)[3 - axis]
-    covered = sum(
-        share
-        for other, share, direction in _covers(component, statics)
-        if (other is None or other in built)
-        and (dot(direction, normal) > _LEANS or abs(dot(direction, closing)) > _LEANS)
-    )
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Look:
+    """One long face of a component, as the gripper would meet it.
+
+    Attributes:
+        closing: Direction in which the fingers close.
+        offsets_m: Places along the component's middle line.
+        corridors: For each place its point on the face, and the way out of it.
+    """
+
+    normal: Vector
+    closing: Vector
+    offsets_m: Sequence[float]
+    corridors: Sequence[tuple[Vector, Vector]]
+
+
+def _look(
+    component: Component, axes: tuple[Vector, Vector, Vector], axis: int, sign: float
+) -> _Look:
     assert isinstance(component.geometry, BoxGeometry)  # noqa: S101 - solids are boxes
     size_m = component.geometry.size_m
-    surface = add(pose.position_m, scale(normal, size_m[axis] / 2.0))
-    others = [statics.solid_by_id[i] for i in statics.solid_by_id if i in built]
+    normal = scale(axes[axis], sign)
+    surface = add(component.world_T_component.position_m, scale(normal, size_m[axis] / 2.0))
+    offsets = [o for o in _OFFSETS_M if o == 0.0 or abs(o) < size_m[0] / 2.0 - _HALF_WIDTH_M]
+    return _Look(
+        normal=normal,
+        closing=axes[3 - axis],
+        offsets_m=offsets,
+        corridors=[(add(surface, scale(axes[0], o)), normal) for o in offsets],
+    )
+
+
+def _worth(
+    component: Component, site: Site, shoulder_m: Vector, look: _Look, blocked: Sequence[bool]
+) -> float:
+    covered = sum(
+        share
+        for other, share, direction in _covers(component, site.statics)
+        if (other is None or site.is_there(other, component.id))
+        and (dot(direction, look.normal) > _LEANS or abs(dot(direction, look.closing)) > _LEANS)
+    )
+    towards = unit(subtract(shoulder_m, component.world_T_component.position_m))
     return (
-        dot(normal, unit(subtract(shoulder_m, pose.position_m)))
+        dot(look.normal, towards)
         - _COVERED * covered
         - min(
-            _BLOCKED
-            if _is_blocked(add(surface, scale(pose.x_axis, o)), normal, others, CORRIDOR_M)
-            else _ASIDE * abs(o)
-            for o in _OFFSETS_M
-            if o == 0.0 or abs(o) < size_m[0] / 2.0 - _HALF_WIDTH_M
+            _BLOCKED if is_blocked else _ASIDE * abs(o)
+            for o, is_blocked in zip(look.offsets_m, blocked, strict=True)
         )
     )
 
 
-def _covers(component: Component, statics: Statics) -> list[tuple[str | None, float, Vector]]:
+def _covers(
+    component: Component, statics: Statics
+) -> list[tuple[ComponentId | None, float, Vector]]:
     """Return what touches its long faces: who (None: the ground), share of a face, direction."""
     assert isinstance(component.geometry, BoxGeometry)  # noqa: S101 - solids are boxes
     length, width, height = component.geometry.size_m
     area_m2 = length * min(width, height)
-    found: list[tuple[str | None, float, Vector]] = [
+    found: list[tuple[ComponentId | None, float, Vector]] = [
         (c.other, min(1.0, c.area_m2 / area_m2), c.normal) for c in statics.touching[component.id]
     ]
     if statics.solid_by_id[component.id].lowest_m(statics.up) <= statics.ground_m + GROUND_M:
         found.append((None, 1.0, scale(statics.up, -1.0)))
     return found
-
-
-def _is_blocked(start: Vector, direction: Vector, others: list[Solid], length_m: float) -> bool:
-    steps = range(1, int(length_m / _STEP_M) + 1)
-    points = [add(start, scale(direction, k * _STEP_M)) for k in steps]
-    return any(solid.is_near(point, _HALF_WIDTH_M) for point in points for solid in others)
 
 
 def _horizontal_axes(up: Vector) -> tuple[Vector, Vector]:

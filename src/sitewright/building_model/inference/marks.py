@@ -22,7 +22,9 @@ def marked_types(targets: Mapping[ComponentId, Component]) -> dict[ComponentId, 
     A piece of stock fits a target of equal type and size, so that two beams that only differ in
     their cuts need different types: ``ceiling-1``, ``ceiling-2``.
     """
-    signatures = {i: _signature(c) for i, c in sorted(targets.items())}
+    shapes = {(c.geometry, c.cuts): c for c in targets.values()}
+    known_shapes = {shape: _signature(c) for shape, c in shapes.items()}
+    signatures = {i: known_shapes[c.geometry, c.cuts] for i, c in sorted(targets.items())}
     cuts_of: dict[tuple[object, ...], list[_Signature]] = defaultdict(list)
     for i, component in sorted(targets.items()):
         known = cuts_of[material_type_of(component)]

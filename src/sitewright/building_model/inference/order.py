@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from heapq import heappop, heappush
 
 from sitewright.building_model.inference.insertion import WayOut, way_out
+from sitewright.building_model.inference.standing import Standing
 from sitewright.building_model.inference.statics import Statics
 from sitewright.foundation.ids import ComponentId
+
+_Rank = tuple[int, float, ComponentId]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,44 +44,69 @@ def arrivals(statics: Statics) -> list[Arrival]:
 
     The frame is taken apart from the end: a component may leave if it carries nothing and all
     that stays still leads down to the ground. Those that part from all neighbours at once go
-    before those that slide, high ones before low ones; ids break ties.
+    before those that slide, high ones before low ones; ids break ties. If none may leave, the
+    best of all goes, so that all come out.
     """
-    present = statics.anchored(frozenset(statics.solid_by_id))
-    leaving: list[tuple[ComponentId, WayOut | None]] = []
-    ways: dict[ComponentId, WayOut | None] = {}
-    while present:
-        for component in present - ways.keys():
-            ways[component] = _way(statics, component, present)
-        gone = next(_candidates(statics, present, ways))
-        leaving.append((gone, ways[gone]))
-        present -= {gone}
-        for neighbour in statics.around[gone]:
-            ways.pop(neighbour, None)
-    return _arrivals(statics, leaving[::-1])
+    apart = _TakingApart(statics)
+    return _arrivals(statics, list(apart.leaving())[::-1])
 
 
-def _candidates(
-    statics: Statics, present: frozenset[ComponentId], ways: dict[ComponentId, WayOut | None]
-) -> Iterator[ComponentId]:
-    """Yield who may leave next, the best first; at last whoever is there, so that all come out."""
-    ranked = sorted(present, key=lambda i: _rank(statics, i, ways[i]))
-    carrying = {c for i in present for c in statics.carriers_of(i)}
-    for component in ranked:
-        rest = present - {component}
-        if component not in carrying and statics.anchored(rest) == rest:
-            yield component
-    yield from ranked
+class _TakingApart:
+    """Who leaves next, the best first; whoever is kept by another waits until that has gone."""
 
+    def __init__(self, statics: Statics) -> None:
+        self._statics = statics
+        self._standing = Standing(statics, statics.anchored(frozenset(statics.solid_by_id)))
+        self._way: dict[ComponentId, WayOut | None] = {}
+        self._rank: dict[ComponentId, _Rank] = {}
+        self._queue: list[_Rank] = []
+        self._waiting: dict[ComponentId, list[ComponentId]] = {}
 
-def _rank(
-    statics: Statics, component: ComponentId, way: WayOut | None
-) -> tuple[int, float, ComponentId]:
-    trouble = 2 if way is None else int(way.slide_m > 0.0)
-    return (trouble, -round(statics.solid_by_id[component].lowest_m(statics.up), 4), component)
+    def leaving(self) -> Iterator[tuple[ComponentId, WayOut | None]]:
+        """Yield the components as they leave, each with its way out."""
+        self._look_at(self._standing.present)
+        while self._standing.present:
+            gone = self._next()
+            yield gone, self._way[gone]
+            self._standing.take(gone)
+            del self._rank[gone]
+            self._look_at(self._statics.around[gone].keys() & self._standing.present)
+            for kept in self._waiting.pop(gone, ()):
+                self._push(kept)
+
+    def _next(self) -> ComponentId:
+        while self._queue and not self._standing.lost:
+            rank = heappop(self._queue)
+            component = rank[-1]
+            if self._rank.get(component) != rank:
+                continue
+            keeper = self._standing.kept_by(component)
+            if keeper is None:
+                return component
+            self._waiting.setdefault(keeper, []).append(component)
+        if len(self._standing.lost) == 1:
+            (component,) = self._standing.lost
+            if self._standing.kept_by(component) is None:
+                return component
+        return min(self._rank.values())[-1]
+
+    def _look_at(self, components: Iterable[ComponentId]) -> None:
+        """Find the ways out of some components as things stand now."""
+        for component in components:
+            way = _way(self._statics, component, self._standing.present)
+            height_m = self._statics.solid_by_id[component].lowest_m(self._statics.up)
+            trouble = 2 if way is None else int(way.slide_m > 0.0)
+            self._way[component] = way
+            self._rank[component] = (trouble, -round(height_m, 4), component)
+            self._push(component)
+
+    def _push(self, component: ComponentId) -> None:
+        if component in self._rank:
+            heappush(self._queue, self._rank[component])
 
 
 def _way(
-    statics: Statics, component: ComponentId, present: frozenset[ComponentId]
+    statics: Statics, component: ComponentId, present: AbstractSet[ComponentId]
 ) -> WayOut | None:
     around = [s for other, s in statics.around[component].items() if other in present]
     height_m = statics.solid_by_id[component].lowest_m(statics.up) - statics.ground_m
@@ -84,11 +114,11 @@ def _way(
 
 
 def _arrivals(statics: Statics, coming: list[tuple[ComponentId, WayOut | None]]) -> list[Arrival]:
-    there: list[ComponentId] = []
+    there: set[ComponentId] = set()
     found = []
     for number, (component, way) in enumerate(coming, start=1):
         is_hanging = not statics.is_carried(component)
-        parents = statics.carriers_of(component) & frozenset(there)
+        parents = statics.carriers_of(component) & there
         if is_hanging:
             parents = statics.holders(component, there)
         found.append(
@@ -100,5 +130,5 @@ def _arrivals(statics: Statics, coming: list[tuple[ComponentId, WayOut | None]])
                 way=way,
             )
         )
-        there.append(component)
+        there.add(component)
     return found

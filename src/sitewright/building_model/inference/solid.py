@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from math import atan2
 
@@ -12,7 +12,6 @@ from sitewright.foundation.pose import Vector, add, cross, dot, norm, scale, sub
 _ON_PLANE_M = 1e-6
 _SAME_CORNER_M = 1e-6
 _SINGULAR = 1e-9
-_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,34 +32,47 @@ class Face:
 
 @dataclass(frozen=True, slots=True)
 class Solid:
-    """A convex solid in the model frame."""
+    """A convex solid in the model frame.
+
+    Attributes:
+        corners_m: All corners.
+        low_m: Lower end of the box around it along the model's axes.
+        high_m: Upper end of that box.
+    """
 
     faces: tuple[Face, ...]
+    corners_m: tuple[Vector, ...] = field(init=False, repr=False, compare=False)
+    low_m: Vector = field(init=False, repr=False, compare=False)
+    high_m: Vector = field(init=False, repr=False, compare=False)
 
-    @property
-    def corners_m(self) -> tuple[Vector, ...]:
-        """All corners, each as often as faces meet there."""
-        return tuple(c for face in self.faces for c in face.corners_m)
+    def __post_init__(self) -> None:
+        corners = tuple(dict.fromkeys(c for face in self.faces for c in face.corners_m))
+        xs, ys, zs = zip(*corners, strict=True)
+        object.__setattr__(self, "corners_m", corners)
+        object.__setattr__(self, "low_m", (min(xs), min(ys), min(zs)))
+        object.__setattr__(self, "high_m", (max(xs), max(ys), max(zs)))
 
     def lowest_m(self, direction: Vector) -> float:
         """Return the smallest coordinate along a direction."""
-        return min(dot(direction, c) for c in self.corners_m)
+        x, y, z = direction
+        return min([x * c[0] + y * c[1] + z * c[2] for c in self.corners_m])
 
     def highest_m(self, direction: Vector) -> float:
         """Return the largest coordinate along a direction."""
-        return max(dot(direction, c) for c in self.corners_m)
+        x, y, z = direction
+        return max([x * c[0] + y * c[1] + z * c[2] for c in self.corners_m])
 
     def may_be_near(self, other: Solid, within_m: float) -> bool:
         """Whether the boxes around two solids, along the model's axes, come this near."""
-        return all(
-            self.lowest_m(axis) <= other.highest_m(axis) + within_m
-            and other.lowest_m(axis) <= self.highest_m(axis) + within_m
-            for axis in _AXES
+        a, b, c, d = self.low_m, self.high_m, other.low_m, other.high_m
+        return (
+            a[0] <= d[0] + within_m
+            and c[0] <= b[0] + within_m
+            and a[1] <= d[1] + within_m
+            and c[1] <= b[1] + within_m
+            and a[2] <= d[2] + within_m
+            and c[2] <= b[2] + within_m
         )
-
-    def is_near(self, point_m: Vector, within_m: float) -> bool:
-        """Whether a point lies inside, or about `within_m` off (more at corners)."""
-        return all(dot(f.plane.normal, point_m) <= f.plane.offset_m + within_m for f in self.faces)
 
 
 def solid_of(component: Component) -> Solid | None:
@@ -91,8 +103,8 @@ def _distinct(planes: list[Plane]) -> list[Plane]:
     kept: list[Plane] = []
     for plane in planes:
         if not any(
-            norm(subtract(plane.normal, k.normal)) < _ON_PLANE_M
-            and abs(plane.offset_m - k.offset_m) < _ON_PLANE_M
+            abs(plane.offset_m - k.offset_m) < _ON_PLANE_M
+            and norm(subtract(plane.normal, k.normal)) < _ON_PLANE_M
             for k in kept
         ):
             kept.append(plane)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
-from itertools import combinations
 
 from sitewright.building_model.component import Layer
 from sitewright.building_model.inference.contact import Contact, contacts_of
 from sitewright.building_model.inference.insertion import AROUND_M
-from sitewright.building_model.inference.separation import Separation, separation_of
+from sitewright.building_model.inference.nearness import near_pairs
+from sitewright.building_model.inference.separation import Separation, edged, separation_of
 from sitewright.building_model.inference.solid import Solid, solid_of
 from sitewright.building_model.model import BuildingModel, RelationKind
 from sitewright.foundation.ids import ComponentId
@@ -66,14 +67,16 @@ class Statics:
         return component in self.ground or bool(self.carriers[component])
 
     def holders(
-        self, component: ComponentId, among: Iterable[ComponentId]
+        self, component: ComponentId, among: AbstractSet[ComponentId]
     ) -> frozenset[ComponentId]:
         """Return the joined components among some that do not rest on it themselves."""
         return frozenset(
-            j
-            for j in self.joined[component] & frozenset(among)
-            if component not in self.carriers_of(j)
+            j for j in self.joined[component] & among if component not in self.carriers_of(j)
         )
+
+    def stays_on(self, component: ComponentId) -> frozenset[ComponentId]:
+        """Return what it may lead down by: its carriers, else what it is joined to."""
+        return self.carriers_of(component) or self.holders(component, self.joined[component])
 
     def anchored(self, present: frozenset[ComponentId]) -> frozenset[ComponentId]:
         """Return those that lead down to the ground: by carriers, else by a joined neighbour."""
@@ -85,13 +88,11 @@ class Statics:
                 continue
             found.add(component)
             waiting += sorted(
-                j for j in self.joined[component] & present - found if self._stays(j, component)
+                j
+                for j in self.joined[component]
+                if j in present and j not in found and component in self.stays_on(j)
             )
         return frozenset(found)
-
-    def _stays(self, component: ComponentId, on: ComponentId) -> bool:
-        carriers = self.carriers_of(component)
-        return on in carriers or (not carriers and component not in self.carriers_of(on))
 
 
 def statics_of(model: BuildingModel) -> Statics:
@@ -100,7 +101,7 @@ def statics_of(model: BuildingModel) -> Statics:
     targets = [c for c in model.component_by_id.values() if c.layer is Layer.TARGET]
     solids = {c.id: s for c in targets if (s := solid_of(c)) is not None}
     joined = _joined(model, solids)
-    contacts = contacts_of(solids)
+    towards = _towards(solids, contacts_of(solids))
     lowest_m = min((s.lowest_m(up) for s in solids.values()), default=0.0)
     return Statics(
         up=up,
@@ -108,16 +109,14 @@ def statics_of(model: BuildingModel) -> Statics:
         ground_m=lowest_m,
         ground=frozenset(i for i, s in solids.items() if s.lowest_m(up) <= lowest_m + GROUND_M),
         carriers={
-            i: tuple(
-                c for c in _towards(i, contacts) if dot(c.normal, up) > CARRIES and c.a in joined[i]
-            )
+            i: tuple(c for c in towards[i] if dot(c.normal, up) > CARRIES and c.a in joined[i])
             for i in solids
         },
         joined=joined,
         touching={
             i: tuple(
                 Touching(other=c.a, normal=scale(c.normal, -1.0), area_m2=c.area_m2)
-                for c in _towards(i, contacts)
+                for c in towards[i]
             )
             for i in solids
         },
@@ -129,10 +128,9 @@ def _around(
     solids: Mapping[ComponentId, Solid],
 ) -> dict[ComponentId, dict[ComponentId, Separation]]:
     found: dict[ComponentId, dict[ComponentId, Separation]] = {i: {} for i in solids}
-    for a, b in combinations(sorted(solids), 2):
-        if not solids[a].may_be_near(solids[b], AROUND_M):
-            continue
-        separation = separation_of(solids[a], solids[b])
+    compared = {i: edged(s) for i, s in solids.items()}
+    for a, b in near_pairs(solids, AROUND_M):
+        separation = separation_of(compared[a], compared[b])
         if separation.gap_m() < AROUND_M:
             found[a][b] = separation
             found[b][a] = separation.reversed()
@@ -150,12 +148,13 @@ def _joined(
     return {i: frozenset(others) for i, others in joined.items()}
 
 
-def _towards(component: ComponentId, contacts: Iterable[Contact]) -> list[Contact]:
-    """Return its contacts, each turned so that the normal points into it."""
-    return [
-        c
-        if c.b == component
-        else Contact(a=c.b, b=c.a, normal=scale(c.normal, -1.0), area_m2=c.area_m2)
-        for c in contacts
-        if component in (c.a, c.b)
-    ]
+def _towards(
+    solids: Iterable[ComponentId], contacts: Iterable[Contact]
+) -> dict[ComponentId, list[Contact]]:
+    """Return each component's contacts, turned so that the normal points into it."""
+    found: dict[ComponentId, list[Contact]] = {i: [] for i in solids}
+    for contact in contacts:
+        a, b, away = contact.a, contact.b, scale(contact.normal, -1.0)
+        found[b].append(contact)
+        found[a].append(Contact(a=b, b=a, normal=away, area_m2=contact.area_m2))
+    return found

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sitewright.building_model.component import BoxGeometry, Component, Layer, Origin
-from sitewright.building_model.inference.facing import Surroundings, side_of, turn_of
+from sitewright.building_model.inference.facing import Site, Surroundings, side_of, turn_of
 from sitewright.building_model.inference.order import Arrival
 from sitewright.building_model.inference.statics import Statics
 from sitewright.building_model.matching import MaterialType, material_type_of
@@ -71,11 +71,12 @@ def stock_for(
     """
     piles = {side: _piles(layout, side) for side in "ab"}
     uses = _uses(components, coming)
+    site = Site(statics, coming)
     for number in range(len(coming) - 1, -1, -1):
         arrival = coming[number]
         target = components[arrival.id]
-        side = side_of(target, arrival, statics, coming[:number], around)
-        turn = turn_of(target, statics, coming[:number], around.shoulder_m[side])
+        side = side_of(target, arrival, site, around)
+        turn = turn_of(target, site, around.shoulder_m[side])
         off_middle_m = dot(
             subtract(target.world_T_component.position_m, around.middle_m), around.along
         )

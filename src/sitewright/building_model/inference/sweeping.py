@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 import numpy.typing as npt
@@ -26,6 +27,7 @@ _SIZES = ((8, 3, 3), (16, 8, 10), (48, 24, 20))
 edge directions are left out: then a way may look blocked that is narrowly free."""
 
 Pairs = npt.NDArray[np.int64]
+Flags = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,14 +47,30 @@ class Overlap:
 
 @dataclass(frozen=True, eq=False)
 class _Padded:
-    """Pieces of one size class as arrays."""
+    """Pieces of one size class as arrays.
 
+    Attributes:
+        row: Row of a piece, by its index among all pieces.
+    """
+
+    row: Pairs
     corners: Points
     lines: Points
     edges: Points
 
+    def of(self, pieces: Pairs) -> _Padded:
+        """Return some of the pieces, each perhaps several times."""
+        row = self.row[pieces]
+        return _Padded(np.arange(len(row)), self.corners[row], self.lines[row], self.edges[row])
 
-def overlaps(bodies: Sequence[Body], directions: Points, *, grown_m: float = 0.0) -> list[Overlap]:
+
+def overlaps(
+    bodies: Sequence[Body],
+    directions: Points,
+    *,
+    grown_m: float = 0.0,
+    movers: int | None = None,
+) -> list[Overlap]:
     """Return the overlaps of all pairs that can meet at all when the first moves.
 
     Args:
@@ -60,61 +78,81 @@ def overlaps(bodies: Sequence[Body], directions: Points, *, grown_m: float = 0.0
         directions: Unit vectors, one per row.
         grown_m: Count pieces as overlapping that are nearer than this. With 0, pieces that
             overlap in the model already may go on to, but no deeper.
+        movers: Only so many bodies, the first ones, move; by default every one does.
     """
     pieces = [(k, part) for k, body in enumerate(bodies) for part in body.parts]
     owners = np.array([k for k, _ in pieces], dtype=np.int64)
     parts = [part for _, part in pieces]
     classes = np.array([_class_of(p) for p in parts], dtype=np.int64)
     found = []
-    for pairs in _corridors(parts, owners, directions, grown_m):
-        for one, other in sorted({(int(classes[i]), int(classes[j])) for i, j in pairs}):
-            rows = pairs[(classes[pairs[:, 0]] == one) & (classes[pairs[:, 1]] == other)]
+    padded = {k: _padded(parts, classes == k, k) for k in {int(k) for k in classes}}
+    last = len(parts) if movers is None else int(np.searchsorted(owners, movers))
+    for pairs, meet in _corridors(parts, owners, last, directions, grown_m):
+        kinds = classes[pairs]
+        for one, other in product(sorted(padded), repeat=2):
+            rows = np.flatnonzero((kinds[:, 0] == one) & (kinds[:, 1] == other))
             for chunk in _chunks(rows, one, other, len(directions)):
-                first = _padded([parts[i] for i in chunk[:, 0]], one)
-                second = _padded([parts[j] for j in chunk[:, 1]], other)
-                enters, leaves = _intervals(first, second, directions, grown_m)
-                found.append(Overlap(owners[chunk], enters, leaves))
+                first = padded[one].of(pairs[chunk, 0])
+                second = padded[other].of(pairs[chunk, 1])
+                enters, leaves = _intervals(first, second, directions, meet[chunk], grown_m)
+                found.append(Overlap(owners[pairs[chunk]], enters, leaves))
     return found
 
 
 def _corridors(
-    parts: Sequence[Part], owners: Pairs, directions: Points, grown_m: float
-) -> Iterator[Pairs]:
-    """Yield pairs of pieces whose surrounding boxes meet in some direction, by first piece."""
+    parts: Sequence[Part], owners: Pairs, last: int, directions: Points, grown_m: float
+) -> Iterator[tuple[Pairs, Flags]]:
+    """Yield pairs of pieces whose surrounding boxes meet in some direction, by first piece.
+
+    With each pair go the directions in which they do.
+    """
     low = np.array([p.corners_m.min(axis=0) for p in parts])
     high = np.array([p.corners_m.max(axis=0) for p in parts])
     middle, half = (low + high) / 2.0, (high - low) / 2.0
     kept: list[Pairs] = []
-    for i in range(len(parts) - 1):
+    ways: list[Flags] = []
+    for i in range(min(last, len(parts) - 1)):
         others = np.flatnonzero(owners[i + 1 :] != owners[i]) + i + 1
         gaps = middle[others] - middle[i]
         reach = half[others] + half[i] + grown_m
         enters, leaves = _meeting(gaps[:, :, None], reach[:, :, None], directions.T[None])
-        meet = (enters < leaves - _TINY_M).any(axis=1)
-        rows = np.column_stack([np.full(int(meet.sum()), i), others[meet]])
-        kept.append(rows.astype(np.int64))
+        meet = enters < leaves - _TINY_M
+        met = np.flatnonzero(meet.any(axis=1))
+        kept.append(np.column_stack([np.full(len(met), i), others[met]]).astype(np.int64))
+        ways.append(meet[met])
         if sum(map(len, kept)) > _BUDGET // 1000:
-            yield np.vstack(kept)
-            kept = []
+            yield np.vstack(kept), np.vstack(ways)
+            kept, ways = [], []
     if kept:
-        yield np.vstack(kept)
+        yield np.vstack(kept), np.vstack(ways)
 
 
 def _intervals(
-    first: _Padded, second: _Padded, directions: Points, grown_m: float
+    first: _Padded, second: _Padded, directions: Points, meet: Flags, grown_m: float
 ) -> tuple[Points, Points]:
+    """Return by pair and direction when they overlap; looked at only where their boxes meet."""
     axes = _axes(first, second)
-    a = np.einsum("pci,pki->pkc", first.corners, axes)
-    b = np.einsum("pci,pki->pkc", second.corners, axes)
-    gaps = (b.max(axis=2) + b.min(axis=2) - a.max(axis=2) - a.min(axis=2)) / 2.0
-    reach = (b.max(axis=2) - b.min(axis=2) + a.max(axis=2) - a.min(axis=2)) / 2.0
+    a_low, a_high = _shadow(first.corners, axes)
+    b_low, b_high = _shadow(second.corners, axes)
+    gaps = (b_high + b_low - a_high - a_low) / 2.0
+    reach = (b_high - b_low + a_high - a_low) / 2.0
     if grown_m > 0.0:
         reach = reach + grown_m
     else:
         depth = np.maximum(0.0, (reach - np.abs(gaps)).min(axis=1))
         depth[depth <= TOLERANCE_M] = 0.0
         reach = reach - TOLERANCE_M - depth[:, None]
-    return _meeting(gaps[:, :, None], reach[:, :, None], axes @ directions.T)
+    enters, leaves = np.full(meet.shape, np.inf), np.full(meet.shape, -np.inf)
+    pair, way = np.nonzero(meet)
+    rates = np.einsum("nki,ni->nk", axes[pair], directions[way])
+    enters[pair, way], leaves[pair, way] = _meeting(gaps[pair], reach[pair], rates)
+    return enters, leaves
+
+
+def _shadow(corners: Points, axes: Points) -> tuple[Points, Points]:
+    """Return where each piece begins and ends along each of its axes."""
+    along = axes @ corners.transpose(0, 2, 1)
+    return along.min(axis=2), along.max(axis=2)
 
 
 def _meeting(gaps: Points, reach: Points, rates: Points) -> tuple[Points, Points]:
@@ -149,15 +187,17 @@ def _class_of(part: Part) -> int:
     return len(_SIZES) - 1
 
 
-def _padded(parts: Sequence[Part], size: int) -> _Padded:
+def _padded(parts: Sequence[Part], chosen: Flags, size: int) -> _Padded:
     corners, lines, edges = _SIZES[size]
+    these = [part for part, is_chosen in zip(parts, chosen, strict=True) if is_chosen]
     if size == len(_SIZES) - 1:
-        corners = max(len(p.corners_m) for p in parts)
-        lines = max(len(p.lines) for p in parts)
+        corners = max(len(p.corners_m) for p in these)
+        lines = max(len(p.lines) for p in these)
     return _Padded(
-        np.array([_filled(p.corners_m, corners) for p in parts]),
-        np.array([_filled(p.lines, lines) for p in parts]),
-        np.array([_filled(p.edges, edges) for p in parts]),
+        np.cumsum(chosen) - 1,
+        np.array([_filled(p.corners_m, corners) for p in these]),
+        np.array([_filled(p.lines, lines) for p in these]),
+        np.array([_filled(p.edges, edges) for p in these]),
     )
 
 

@@ -141,11 +141,10 @@ def slide_m(
     """Return how far a component stays within 11 mm of a neighbour as it leaves; 0 if 30 mm."""
     near = sorted(set(others) & bearing.touching[component].keys())
     last = 0.0
-    for j in near:
-        pair = [bearing.bodies[component], bearing.bodies[j]]
-        for found in overlaps(pair, direction[None], grown_m=PARTED_M):
-            met = found.enters_m < found.leaves_m - _TINY_M
-            last = max(last, float(found.leaves_m[met].max(initial=0.0)))
+    bodies = [bearing.bodies[i] for i in (component, *near)]
+    for found in overlaps(bodies, direction[None], grown_m=PARTED_M, movers=1):
+        met = found.enters_m < found.leaves_m - _TINY_M
+        last = max(last, float(found.leaves_m[met].max(initial=0.0)))
     return 0.0 if last <= SOON_M else round(min(last, 100.0), 4)
 
 
