@@ -11,12 +11,13 @@ from sitewright.app.engines import proposals_of
 from sitewright.app.planning import start_of
 from sitewright.app.project import open_project
 from sitewright.building_model.component import Component, Operation
+from sitewright.central_controller.design import Design
 from sitewright.central_controller.ports import Planned, SiteContext
 from sitewright.central_controller.proposal import ProposedStep
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.rehearsal import after_step, rehearsed
 from sitewright.central_controller.site_graph import graph_now
-from sitewright.central_controller.situation import Design, piece_shapes
+from sitewright.central_controller.situation import piece_shapes
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.robot_team.cell import Cell

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -115,6 +116,12 @@ class RealSite:
         text = file.read_text().split("\n[simulation]\n")[0]
         lines = [f"{name} = {value}" for name, value in settings.items()]
         file.write_text("\n".join([text.rstrip("\n"), "", "[simulation]", *lines, ""]))
+
+    def without_buffers(self) -> None:
+        """Take every buffer station out of the cell."""
+        file = self.project / "cell.toml"
+        tables = re.split(r"(?m)^(?=\[)", file.read_text())
+        file.write_text("".join(t for t in tables if 'kind = "buffer"' not in t))
 
     def paint(self, target: str) -> None:
         """Add a painted stripe to a target, on its upper face."""
@@ -292,8 +299,13 @@ def real_site(
         site.clean_up()
 
 
-def check_journal_against_physics(site: RealSite, *, nails: int) -> None:
-    """Compare the journal with what happened in the cell; never with itself."""
+def check_journal_against_physics(
+    site: RealSite, *, nails: int, aside: frozenset[str] = frozenset()
+) -> None:
+    """Compare the journal with what happened in the cell; never with itself.
+
+    Pieces that were put aside were gripped and let go, and are not in the building.
+    """
     events, physical = site.events(), site.physical()
     intents = {e.command_id: e for e in events if isinstance(e, SkillIntent)}
     accepted = Counter(r["command_id"] for r in site.cell_records() if r["kind"] == "accepted")
@@ -303,7 +315,7 @@ def check_journal_against_physics(site: RealSite, *, nails: int) -> None:
     assert set(effects.values()) <= {1}, "an effect happened twice"
     assert {command for _, command in effects} <= set(accepted)
     _check_nails(events, physical, nails)
-    _check_pieces(site, events, physical)
+    _check_pieces(site, events, physical, aside)
     outcomes = [e for e in events if isinstance(e, SkillOutcome)]
     _check_outcomes(outcomes, intents, {command for _, command in effects})
 
@@ -317,13 +329,16 @@ def _check_nails(events: list[AnyEvent], physical: list[Record], nails: int) -> 
     assert set(driven.values()) <= {1}, "a nail was driven twice"
 
 
-def _check_pieces(site: RealSite, events: list[AnyEvent], physical: list[Record]) -> None:
+def _check_pieces(
+    site: RealSite, events: list[AnyEvent], physical: list[Record], aside: frozenset[str]
+) -> None:
     """Each piece in the building was gripped, let go once for each grip, and no other is gone."""
     gripped = Counter(e["piece"] for e in physical if e["effect"] == "gripped")
     let_go = Counter(e["piece"] for e in physical if e["effect"] in ("let-go", "dropped"))
     assert gripped == let_go
     used = {str(e.piece) for e in events if isinstance(e, ComponentPositioned)}
-    assert used == set(gripped)
+    assert used | aside == set(gripped)
+    assert not used & aside
     assert site.cell_records()[-1]["checkpoint"]["fixings"]["grips"] == {}
 
 

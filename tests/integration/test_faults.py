@@ -119,10 +119,26 @@ def test_a_piece_dropped_on_the_way_stays_where_it_fell_and_another_one_is_taken
         assert all(dropped["piece"] in c["pair"] for c in ended.document["contacts"])
 
 
-def test_a_piece_dropped_where_it_belongs_is_named_for_a_person_to_take_away(
+def test_a_piece_dropped_where_another_belongs_is_brought_to_the_buffer_first(
+    tmp_path: Path,
+) -> None:
+    with real_site(tmp_path, studs=0, supports=1, drop_after_m=1.85) as site:
+        check_planned_anew(site, site.run(), 1)
+        (dropped,) = site.physical("dropped")
+        down = [e.call for e in site.events() if isinstance(e, SkillIntent)]
+        assert (Skill.SET_DOWN, (dropped["piece"], "buffer-a")) in [
+            (c.skill, c.arguments) for c in down
+        ]
+        (positioned,) = [e for e in site.events() if isinstance(e, ComponentPositioned)]
+        assert positioned.piece != dropped["piece"]
+        check_journal_against_physics(site, nails=0, aside=frozenset({dropped["piece"]}))
+
+
+def test_without_a_buffer_a_piece_in_the_way_is_named_for_a_person_to_take_away(
     tmp_path: Path,
 ) -> None:
     with real_site(tmp_path, studs=0, supports=1, drop_after_m=1.8) as site:
+        site.without_buffers()
         ended = site.run()
         (dropped,) = site.physical("dropped")
         assert ended.exit_code == NO_MOTION

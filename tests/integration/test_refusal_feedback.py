@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from builders_planning import STUD, SUPPORT_2, A, B, Rehearsal
-from sitewright.central_controller.blame import reason_for
+from sitewright.central_controller.blame import IsSolvable, reason_for, to_blame
 from sitewright.central_controller.situation import jobsite_of
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import translation
@@ -205,28 +205,29 @@ NOGOODS = (
 )
 
 
+def blamed(is_solvable: IsSolvable) -> str:
+    return reason_for(STUD, "No plan.", to_blame(NOGOODS, is_solvable))
+
+
 def test_the_reason_names_only_what_is_to_blame_and_what_would_help() -> None:
     def is_solvable(some: Sequence[Nogood]) -> bool:
         return NOGOODS[0] not in some
 
-    text = reason_for(STUD, "No plan.", NOGOODS, is_solvable)
+    text = blamed(is_solvable)
     assert text.startswith(f"{STUD}: no can-reach nail-3. This would help: move {B}'s base")
     assert PIECE not in text
 
 
 def test_the_reason_names_alternatives_as_such_and_sets_as_such() -> None:
-    either = reason_for(STUD, "No plan.", NOGOODS, lambda some: len(some) < len(NOGOODS))
+    either = blamed(lambda some: len(some) < len(NOGOODS))
     assert "Any one of these would help: " in either
-    both = reason_for(
-        STUD, "No plan.", NOGOODS, lambda some: not {NOGOODS[0], NOGOODS[1]} & set(some)
-    )
+    both = blamed(lambda some: not {NOGOODS[0], NOGOODS[1]} & set(some))
     assert "All of these are needed: " in both
     assert "ready-b" not in both
 
 
 def test_where_no_refusal_is_to_blame_the_symbolic_planner_speaks() -> None:
-    text = reason_for(STUD, "No skill makes it.", NOGOODS, lambda _some: False)
-    assert text == f"{STUD}: No skill makes it."
+    assert blamed(lambda _some: False) == f"{STUD}: No plan."
 
 
 def test_the_case_study_learned_that_the_nailer_is_in_the_way(frame: Rehearsal) -> None:

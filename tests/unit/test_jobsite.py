@@ -9,10 +9,12 @@ from builders_planning import EXAMPLES, A, B
 from sitewright.app.planning import start_of
 from sitewright.app.project import open_project
 from sitewright.building_model.component import FastenerSpec, Process
-from sitewright.central_controller.situation import piece_shapes
+from sitewright.central_controller.design import Design
+from sitewright.central_controller.situation import jobsite_of, piece_shapes
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, OperationId
 from sitewright.foundation.pose import Pose, translation
 from sitewright.foundation.shapes import Shape, moved
+from sitewright.planning_twin.backends.opw_kinematics import OpwKinematics
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import (
     ArmState,
@@ -166,3 +168,14 @@ def test_a_tool_that_is_neither_mounted_nor_docked_is_not_used() -> None:
     lost = replace(site(), docked={})
     assert tool_for(lost, robot, spot(SCREW, Process.SCREW)) is None
     assert tool_for(site(), site().cell.robot_by_id[A], spot(NAIL)) is None
+
+
+def test_an_aperture_that_is_sensed_a_little_too_wide_is_as_wide_as_the_gripper_opens() -> None:
+    project = open_project(EXAMPLES / "wooden_frame")
+    start = start_of(project)
+    wide = replace(start.observation.robots[A], aperture_m=0.1712)
+    seen = replace(start.observation, robots={**start.observation.robots, A: wide})
+    design = Design(model=project.model, cell=project.cell)
+    context = replace(start, observation=seen)
+    found = jobsite_of(design, piece_shapes(project.model), context, OpwKinematics())
+    assert found.arms[A].aperture_m == project.cell.end_effector_by_id[GRIPPER].opens_to_m

@@ -9,6 +9,8 @@ import pytest
 from builders_words import CALLS, LABELS, STUD, A, B, proposal, request
 from sitewright.app.project import open_project
 from sitewright.central_controller.ports import Alternative, RefusalNote
+from sitewright.central_controller.statuses import where_it_fell
+from sitewright.foundation.ids import ComponentId
 from sitewright.interaction_twin.labels import Kind, labels_of
 from sitewright.interaction_twin.measures import in_millimetres, in_seconds
 from sitewright.interaction_twin.narration import ARGUMENT_NAMES, folded, narrate, reason
@@ -120,6 +122,8 @@ def test_labels_come_from_the_names_of_the_model() -> None:
     assert labels.label("stud-1.nail-2").of == "stud-1"
     assert labels.label("thin.5").kind is Kind.PIECE
     assert labels.label("kr120-b").kind is Kind.ROBOT
+    fallen = SkillCall("reach", A, (where_it_fell(ComponentId("thin.5")),))
+    assert narrate(fallen, labels) == "kr120-a goes to where thin.5 lies"
 
 
 def test_a_plan_is_shown_with_code_times_and_what_was_refused() -> None:

@@ -10,10 +10,11 @@ from pathlib import Path
 
 from sitewright.app.clock import SystemClock
 from sitewright.app.project import BUILDING, Project
+from sitewright.central_controller.design import Design
 from sitewright.central_controller.measuring import MeasuredCertifier
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.site_graph import graph_now
-from sitewright.central_controller.situation import Design, piece_shapes
+from sitewright.central_controller.situation import piece_shapes
 from sitewright.central_controller.target_planning import PlanningPorts
 from sitewright.foundation.canonical import sha256_hex
 from sitewright.symbolic_planning.vocabulary import domain_at

@@ -10,9 +10,10 @@ from sitewright.app.project import Project
 from sitewright.building_model.component import Component, Layer
 from sitewright.building_model.model import BuildingModel
 from sitewright.building_model.shapes import mass_of, shape_of, size_of
+from sitewright.central_controller.design import Design
 from sitewright.central_controller.ports import SiteContext
 from sitewright.central_controller.site_state import PlacedPiece
-from sitewright.central_controller.situation import Design, task_of
+from sitewright.central_controller.situation import task_of
 from sitewright.construction_graph.build import graph_of
 from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.construction_graph.supply import Supplied, supplied_in_order

@@ -5,27 +5,33 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from sitewright.foundation.ids import ComponentId
-from sitewright.symbolic_planning.nogood import Change, Nogood, minimal_reason
+from sitewright.symbolic_planning.nogood import Change, MinimalReason, Nogood, minimal_reason
 
 IsSolvable = Callable[[Sequence[Nogood]], bool]
 _MOST_BLAMED = 12
 """Each takes a symbolic plan; with more nogoods than this the last ones are looked at."""
 
 
-def reason_for(
-    target: ComponentId, otherwise: str, nogoods: Sequence[Nogood], is_solvable: IsSolvable
-) -> str:
-    """Return a minimal reason for people.
+def to_blame(nogoods: Sequence[Nogood], is_solvable: IsSolvable) -> MinimalReason:
+    """Return the fewest nogoods without which the target could be built.
 
     Args:
-        target: What cannot be built.
-        otherwise: What the symbolic planner says; used if nothing learned is to blame.
         nogoods: All that stand.
         is_solvable: Whether a plan exists with only some of them.
     """
     standing = [n for n in nogoods if n.change is not Change.SLOWER]
     kept, looked_at = standing[:-_MOST_BLAMED], standing[-_MOST_BLAMED:]
-    blame = minimal_reason(looked_at, lambda some: is_solvable([*kept, *some]))
+    return minimal_reason(looked_at, lambda some: is_solvable([*kept, *some]))
+
+
+def reason_for(target: ComponentId, otherwise: str, blame: MinimalReason) -> str:
+    """Return a minimal reason for people.
+
+    Args:
+        target: What cannot be built.
+        otherwise: What the symbolic planner says; used if nothing learned is to blame.
+        blame: What is to blame.
+    """
     if blame.alone:
         lead = "This would help" if len(blame.alone) == 1 else "Any one of these would help"
         return f"{target}: {_evidence(blame.alone)}. {lead}: {_remedies(blame.alone)}."
@@ -35,6 +41,14 @@ def reason_for(
             f"All of these are needed: {_remedies(blame.together)}."
         )
     return f"{target}: {otherwise}"
+
+
+def removals_of(blame: MinimalReason) -> tuple[tuple[str, ...], ...]:
+    """Return the smallest sets of things that would have to go, the smallest first."""
+    sets = {things for n in blame.alone for things in n.removals}
+    if blame.together and all(n.removals for n in blame.together):
+        sets.add(tuple(sorted({t for n in blame.together for t in n.removals[0]})))
+    return tuple(sorted(sets, key=lambda s: (len(s), s)))
 
 
 def _evidence(nogoods: Sequence[Nogood]) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sitewright.building_model.matching import fits, material_type_of
+from sitewright.central_controller.design import Design
 from sitewright.central_controller.ports import SiteContext
-from sitewright.central_controller.situation import Design, target_node
+from sitewright.central_controller.situation import target_node
 from sitewright.central_controller.wishes import put_off, wanted_pieces
 from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.construction_graph.queries import accessible_materials, is_ready

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from dataclasses import replace
 
 from sitewright.central_controller.ports import Escalation, Planned, RefusalNote, SiteContext
 from sitewright.central_controller.proposal import Proposal, ProposedStep
@@ -19,18 +20,39 @@ _NO_PLAN_PROVEN, _LIMIT, _NO_MOTION = 4, 5, 6
 def proposal_of(
     context: SiteContext,
     target: ComponentId,
-    problem: Problem,
-    motions: PlannedSequence,
+    steps: tuple[ProposedStep, ...],
     identity: Mapping[str, str],
 ) -> Proposal:
-    """Return the proposal of a sequence with its motions.
+    """Return the proposal of some steps.
 
     Args:
         context: The site that it starts from.
         target: What it builds.
-        problem: Says what each step relies on and changes.
-        motions: The calls and their certified motions.
+        steps: In order.
         identity: Hashes of team, cell, model and domain.
+    """
+    return Proposal(
+        run=context.run,
+        target=target,
+        steps=steps,
+        site_serial=context.site.serial,
+        context=dict(identity),
+    )
+
+
+def steps_of(plan: TargetPlan) -> tuple[ProposedStep, ...]:
+    """Return the steps of all parts of a plan, numbered from 1."""
+    parts = (proposed_steps(p.problem, p.motions) for p in plan.parts)
+    steps = (step for part in parts for step in part)
+    return tuple(replace(s, number=n) for n, s in enumerate(steps, start=1))
+
+
+def proposed_steps(problem: Problem, motions: PlannedSequence) -> tuple[ProposedStep, ...]:
+    """Return calls with their certified motions as steps, numbered from 1.
+
+    Args:
+        problem: Says what each step relies on and changes.
+        motions: The calls and their motions.
     """
     steps: list[ProposedStep] = []
     for call, skill in zip(motions.calls, motions.skills, strict=True):
@@ -48,38 +70,36 @@ def proposal_of(
                 contacts=contacts,
             )
         )
-    return Proposal(
-        run=context.run,
-        target=target,
-        steps=tuple(steps),
-        site_serial=context.site.serial,
-        context=dict(identity),
-    )
+    return tuple(steps)
 
 
 def planned(
     proposal: Proposal,
     plan: TargetPlan,
-    notes: Sequence[RefusalNote],
     timing_s: Mapping[str, float],
 ) -> Planned:
     """Return a proposal with the texts that it came from."""
     return Planned(
         proposal=proposal,
-        attachments={
-            "domain": plan.problem.domain.text,
-            "problem": plan.problem.text,
-            "plan": plan.sequence.text,
-        },
-        refusals=tuple(dict.fromkeys(notes)),
+        attachments=_texts(plan),
+        refusals=tuple(dict.fromkeys(plan.notes)),
         timing_s=timing_s,
     )
+
+
+def _texts(plan: TargetPlan) -> dict[str, str]:
+    """Return domain, problem and plan; the problems of errands are numbered before them."""
+    *errands, last = plan.parts
+    texts = {"domain": last.problem.domain.text}
+    for number, part in enumerate(errands, start=1):
+        texts[f"errand-{number}.problem"] = part.problem.text
+        texts[f"errand-{number}.plan"] = part.sequence.text
+    return {**texts, "problem": last.problem.text, "plan": last.sequence.text}
 
 
 def escalation(
     target: ComponentId,
     refused: TargetRefusal,
-    notes: Sequence[RefusalNote],
     timing_s: Mapping[str, float],
 ) -> Escalation:
     """Return what a person is told when neither planner goes on."""
@@ -90,7 +110,7 @@ def escalation(
         is_proven=refused.is_proven,
         exit_code=_LIMIT if refused.is_limit else code,
         attachments={"domain": refused.problem.domain.text, "problem": refused.problem.text},
-        refusals=tuple(dict.fromkeys(notes)),
+        refusals=tuple(dict.fromkeys(refused.notes)),
         timing_s=timing_s,
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from sitewright.building_model.component import Layer
@@ -56,8 +56,7 @@ def initial_observation(model: BuildingModel, cell: Cell, graph: ConstructionGra
 
 def rehearsed(context: SiteContext, proposal: Proposal) -> SiteContext:
     """Return the context as if a proposal for a whole target had been carried out exactly."""
-    for step in proposal.steps:
-        context = after_step(context, step, proposal.target)
+    context = carried_out(context, proposal.steps, proposal.target)
     site = context.site
     site = replace(
         site,
@@ -65,6 +64,15 @@ def rehearsed(context: SiteContext, proposal: Proposal) -> SiteContext:
         installed=(*site.installed, proposal.target),
     )
     return replace(context, site=site)
+
+
+def carried_out(
+    context: SiteContext, steps: Iterable[ProposedStep], target: ComponentId
+) -> SiteContext:
+    """Return the context as if some steps had been carried out exactly."""
+    for step in steps:
+        context = after_step(context, step, target)
+    return context
 
 
 def after_step(context: SiteContext, step: ProposedStep, target: ComponentId) -> SiteContext:

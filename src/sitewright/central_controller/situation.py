@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 from sitewright.building_model.component import Component, Layer, Operation, Process
-from sitewright.building_model.model import BuildingModel, RelationKind
-from sitewright.building_model.shapes import extent_of, mass_of, shape_of, size_of
+from sitewright.building_model.model import BuildingModel
+from sitewright.building_model.shapes import mass_of, shape_of, size_of
+from sitewright.central_controller.design import Design
+from sitewright.central_controller.errands import buffers
 from sitewright.central_controller.ports import SiteContext
+from sitewright.central_controller.touching import body_of, lies_on, rests_on, touches
 from sitewright.construction_graph.graph import (
-    JOBSITE,
     ConstructionGraph,
     TargetNode,
 )
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import BodyId, ComponentId, RobotId
+from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose, Vector, scale
-from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import ArmState, Jobsite, PieceShape
 from sitewright.planning_twin.motion import Kinematics
 from sitewright.planning_twin.task import Insertion, Task
-from sitewright.robot_team.cell import Cell, StationKind
+from sitewright.robot_team.cell import Cell
 from sitewright.robot_team.driver import RobotObservation
 
 _LEVEL = 0.2
@@ -31,22 +31,6 @@ INSERTION = "insertion"
 _TOUCHING_M = 0.002
 _LONGEST_SLIDE_M = 0.3
 _FASTENING = (Process.NAIL, Process.SCREW, Process.DRILL)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Design:
-    """What does not change during a run."""
-
-    model: BuildingModel
-    cell: Cell
-
-    def component(self, component: ComponentId) -> Component:
-        """Return a component of the design."""
-        return self.model.component_by_id[component]
-
-    def world_T_target(self, target: ComponentId) -> Pose:
-        """Return where a target belongs in the world."""
-        return self.cell.world_T_model @ self.component(target).world_T_component
 
 
 def piece_shapes(model: BuildingModel) -> dict[ComponentId, PieceShape]:
@@ -103,10 +87,16 @@ def _arm(
     return ArmState(
         q_rad=state.q_rad,
         mounted=state.mounted,
-        aperture_m=state.aperture_m,
+        aperture_m=_possible_aperture_m(cell, state),
         held=held,
         tip_T_held=Pose() if held is None else tip.inverse() @ world_T_piece[held],
     )
+
+
+def _possible_aperture_m(cell: Cell, state: RobotObservation) -> float:
+    """Return the sensed aperture within the gripper's range, which sensors may leave a little."""
+    tool = None if state.mounted is None else cell.end_effector_by_id[state.mounted]
+    return 0.0 if tool is None else min(max(state.aperture_m, 0.0), tool.opens_to_m)
 
 
 def task_of(
@@ -138,21 +128,17 @@ def task_of(
         target=target,
         world_T_target=world_T_target,
         candidates=candidates,
-        touches=_touches(design, context, component),
-        rests_on=_rests_on(design, context, component),
+        touches=touches(design, context, component),
+        rests_on=rests_on(design, context, component),
         insertions=_insertions(design, component, world_T_target),
-        lies_on={c: _lies_on(design, graph, context, c) for c in candidates},
+        lies_on={c: lies_on(design, graph, context, c) for c in candidates},
         spots=tuple(
             spot_of(context, target, o, world_T_target)
             for o in component.operations
             if o.id not in done and o.process is not Process.PLACE
         ),
         hold_until=max(0, component.hold_until_fasteners - driven),
-        buffers={
-            s.id: s.world_T_station
-            for s in design.cell.station_by_id.values()
-            if s.kind is StationKind.BUFFER
-        },
+        buffers=buffers(design.cell),
         placed=None if placed is None else placed.piece,
     )
 
@@ -181,56 +167,6 @@ def spot_of(
     )
 
 
-def body_of(context: SiteContext, component: ComponentId) -> ComponentId:
-    """Return the physical piece of a component: what it was made of, or itself."""
-    placed = context.site.placed.get(component)
-    return component if placed is None else placed.piece
-
-
-def _touches(design: Design, context: SiteContext, component: Component) -> tuple[BodyId, ...]:
-    """Return what a placed component may touch: what carries it, and joined neighbours."""
-    related = {
-        other
-        for r in design.model.relations
-        if r.kind in (RelationKind.CONNECTION, RelationKind.CONTACT, RelationKind.SUPPORTS)
-        for this, other in ((r.a, r.b), (r.b, r.a))
-        if this == component.id
-    }
-    joined = _standing(design, context, sorted(related))
-    return tuple(dict.fromkeys((*_rests_on(design, context, component), *joined)))
-
-
-def _rests_on(design: Design, context: SiteContext, component: Component) -> tuple[BodyId, ...]:
-    """Return what carries a placed component: construction parents, or the fixture under it."""
-    parents = _standing(design, context, component.construction_parents)
-    if component.construction_parents and not component.ground:
-        return parents
-    pose = design.world_T_target(component.id)
-    return (*parents, *_fixtures_at(design.cell, shape_of(component), pose))
-
-
-def _standing(
-    design: Design, context: SiteContext, components: Iterable[ComponentId]
-) -> tuple[BodyId, ...]:
-    return tuple(
-        BodyId(body_of(context, c))
-        for c in components
-        if c in context.site.placed or design.component(c).layer is Layer.AS_BUILT
-    )
-
-
-def _fixtures_at(cell: Cell, shape: Shape, world_T_shape: Pose) -> tuple[BodyId, ...]:
-    """Return the fixtures whose bounding boxes a body at a pose touches."""
-    body = extent_of(shape, world_T_shape)
-    found = []
-    for fixture in cell.fixture_by_id.values():
-        other = extent_of(fixture.shape, fixture.world_T_fixture)
-        sides = zip(body.low_m, body.high_m, other.low_m, other.high_m, strict=True)
-        if max(max(low - top, bottom - high) for low, high, bottom, top in sides) < _TOUCHING_M:
-            found.append(BodyId(fixture.id))
-    return tuple(found)
-
-
 def _insertions(
     design: Design, component: Component, world_T_target: Pose
 ) -> tuple[Insertion, ...]:
@@ -257,18 +193,6 @@ def _vector(value: Json) -> Vector:
         raise TypeError(f"{value!r} is no direction")
     x, y, z = (float(str(v)) for v in value)
     return (x, y, z)
-
-
-def _lies_on(
-    design: Design, graph: ConstructionGraph, context: SiteContext, piece: ComponentId
-) -> tuple[BodyId, ...]:
-    """Return what a piece lies on where it was seen: the piece below, else the fixture."""
-    node = graph.node_by_id.get(piece)
-    below = [BodyId(p) for p in (() if node is None else node.construction_parents) if p != JOBSITE]
-    seen = context.observation.world_T_piece.get(piece)
-    if below or seen is None:
-        return tuple(below)
-    return _fixtures_at(design.cell, shape_of(design.component(piece)), seen)
 
 
 def target_node(graph: ConstructionGraph, target: ComponentId) -> TargetNode:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from sitewright.central_controller.design import Design
 from sitewright.central_controller.ports import SiteContext
-from sitewright.central_controller.situation import Design
 from sitewright.construction_graph.graph import NOWHERE, ConstructionGraph, MaterialNode
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.jobsite import ArmState, Jobsite
@@ -39,7 +41,29 @@ def _place(design: Design, context: SiteContext, robot: RobotId, arm: ArmState) 
     return preparation_place(design.cell, robot) if is_home else None
 
 
-def lies_at(graph: ConstructionGraph, pieces: tuple[ComponentId, ...]) -> dict[ComponentId, str]:
-    """Return the stock place or buffer of each piece that lies on one."""
-    nodes = ((p, graph.node_by_id.get(p)) for p in pieces)
-    return {p: n.place for p, n in nodes if isinstance(n, MaterialNode) and n.place != NOWHERE}
+def lies_at(
+    graph: ConstructionGraph, context: SiteContext, pieces: Iterable[ComponentId]
+) -> dict[ComponentId, PlaceId]:
+    """Return the stock place or buffer of each piece, or the name of where it fell.
+
+    A piece in a gripper lies nowhere, nor one that is not seen.
+    """
+    held = {robot.gripped for robot in context.observation.robots.values()}
+    lying = (p for p in pieces if p not in held and p in context.observation.world_T_piece)
+    nodes = ((p, graph.node_by_id.get(p)) for p in lying)
+    return {p: n.place or where_it_fell(p) for p, n in nodes if isinstance(n, MaterialNode)}
+
+
+def where_it_fell(piece: ComponentId) -> PlaceId:
+    """Return the name of the place of a piece that lies at no stock place."""
+    return f"where-{piece}-lies"
+
+
+def strays(graph: ConstructionGraph, context: SiteContext) -> frozenset[ComponentId]:
+    """Return the pieces of stock that lie at no stock place and are in no gripper."""
+    held = {robot.gripped for robot in context.observation.robots.values()}
+    return frozenset(
+        node.id
+        for node in graph.node_by_id.values()
+        if isinstance(node, MaterialNode) and node.place == NOWHERE and node.id not in held
+    )

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from sitewright.central_controller.blame import reason_for
+from sitewright.central_controller.blame import reason_for, removals_of, to_blame
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.ports import RefusalNote
 from sitewright.foundation.clock import Clock
 from sitewright.foundation.ids import ComponentId
 from sitewright.planning_twin.feedback import Lessons, refused_call
 from sitewright.planning_twin.motion import PlanningBackends
+from sitewright.planning_twin.refusal import NoPath
 from sitewright.planning_twin.sequence import (
     PlannedSequence,
     SequenceRefusal,
@@ -24,13 +25,15 @@ from sitewright.planning_twin.task import TwinContext
 from sitewright.planning_twin.wording import is_proof
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.domain import Domain
-from sitewright.symbolic_planning.nogood import Nogood, with_nogoods
+from sitewright.symbolic_planning.nogood import MinimalReason, Nogood, with_nogoods
 from sitewright.symbolic_planning.planner import NoPlan, SkillSequence, SymbolicPlanner
 from sitewright.symbolic_planning.problem import Problem, problem_for
 from sitewright.symbolic_planning.site_view import SiteView
 
 MOST_ROUNDS = 30
 """So many plans are refused by geometry before a person is asked."""
+_MOST_SEARCHES = 4
+"""So many searches for a path may use up their budgets before the planner gives up."""
 _MOST_GRASPS = 8
 """So many grasps of a piece have their motions planned before another way is looked for."""
 
@@ -51,12 +54,19 @@ class PlanningPorts:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TargetPlan:
-    """A plan whose every motion is certified."""
+class PlanPart:
+    """One symbolic plan whose every motion is certified."""
 
     problem: Problem
     sequence: SkillSequence
     motions: PlannedSequence
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetPlan:
+    """A plan for a target: the errands that come first, if any, then the target itself."""
+
+    parts: tuple[PlanPart, ...]
     notes: tuple[RefusalNote, ...]
 
 
@@ -66,6 +76,7 @@ class TargetRefusal:
 
     Attributes:
         is_limit: A budget ended; more rounds might help.
+        removals: Smallest sets of bodies and robots without which there might be a plan.
     """
 
     problem: Problem
@@ -73,6 +84,7 @@ class TargetRefusal:
     is_proven: bool
     is_limit: bool
     notes: tuple[RefusalNote, ...]
+    removals: tuple[tuple[str, ...], ...] = ()
 
 
 def plan_target(
@@ -87,7 +99,7 @@ def plan_target(
         view: The symbolic picture; its geometric facts are replaced by the study's.
         watch: Where the time goes.
     """
-    target = context.task.target
+    target = view.target
     notes = [_study_note(target, r) for r in study.refusals]
     lessons = Lessons(base=study.base, nogoods=list(study.nogoods))
     tried: list[Holding] = []
@@ -99,8 +111,8 @@ def plan_target(
         sequence = ports.symbolic.plan(problem)
         watch.stop("symbolic")
         if isinstance(sequence, NoPlan):
-            reason = _blame(ports, view, lessons, sequence, watch)
-            return _refused(problem, sequence, reason, lessons, notes)
+            blame = _blame(ports, view, lessons, watch)
+            return _refused(problem, sequence, blame, lessons, notes)
         watch.start()
         result = plan_sequence(
             replace(context, seed=context.seed + lessons.new_seeds),
@@ -111,10 +123,12 @@ def plan_target(
         )
         watch.stop("motion")
         if isinstance(result, PlannedSequence):
-            return TargetPlan(
-                problem=problem, sequence=sequence, motions=result, notes=tuple(notes)
-            )
+            part = PlanPart(problem=problem, sequence=sequence, motions=result)
+            return TargetPlan(parts=(part,), notes=tuple(notes))
         notes.append(_note(target, result, sequence.calls))
+        if sum(n.kind == NoPath.__name__ for n in notes) >= _MOST_SEARCHES:
+            reason = f"{_MOST_SEARCHES} searches ended without a path; the last: {notes[-1].reason}"
+            return replace(_given_up(problem, reason, notes), is_limit=True)
         watch.start()
         regrasped = _another_grasp(context, study, result, tried)
         watch.stop("motion")
@@ -162,8 +176,8 @@ def _still_valid(
 
 
 def _blame(
-    ports: PlanningPorts, view: SiteView, lessons: Lessons, no: NoPlan, watch: Stopwatch
-) -> str:
+    ports: PlanningPorts, view: SiteView, lessons: Lessons, watch: Stopwatch
+) -> MinimalReason:
     """Return the fewest refusals that keep the target from being built."""
 
     def is_solvable(nogoods: Sequence[Nogood]) -> bool:
@@ -172,21 +186,26 @@ def _blame(
         return not isinstance(ports.symbolic.plan(problem), NoPlan)
 
     watch.start()
-    reason = reason_for(view.target, no.reason, lessons.nogoods, is_solvable)
+    blame = to_blame(lessons.nogoods, is_solvable)
     watch.stop("symbolic")
-    return reason
+    return blame
 
 
 def _refused(
-    problem: Problem, no: NoPlan, reason: str, lessons: Lessons, notes: list[RefusalNote]
+    problem: Problem,
+    no: NoPlan,
+    blame: MinimalReason,
+    lessons: Lessons,
+    notes: list[RefusalNote],
 ) -> TargetRefusal:
     """A proof over facts is one over the site only if every fact taken away was proven."""
     return TargetRefusal(
         problem=problem,
-        reason=reason,
+        reason=reason_for(problem.target, no.reason, blame),
         is_proven=no.is_proven and all(n.is_proven for n in lessons.nogoods),
         is_limit=not no.is_proven,
         notes=tuple(notes),
+        removals=removals_of(blame),
     )
 
 

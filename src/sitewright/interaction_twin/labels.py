@@ -8,6 +8,7 @@ from enum import StrEnum
 
 from sitewright.building_model.component import Component, Operation, Process
 from sitewright.building_model.model import BuildingModel
+from sitewright.central_controller.statuses import where_it_fell
 from sitewright.robot_team.cell import Cell
 
 BARE_FLANGE = "bare-"
@@ -80,7 +81,10 @@ def labels_of(model: BuildingModel, cell: Cell) -> Labels:
     stocked = {item for stack in model.stacks for item in stack.items}
     for component in model.component_by_id.values():
         kind = Kind.PIECE if component.id in stocked else Kind.COMPONENT
-        found[component.id] = Label(kind, component.name or component.id)
+        name = component.name or component.id
+        found[component.id] = Label(kind, name)
+        if kind is Kind.PIECE:
+            found[where_it_fell(component.id)] = Label(Kind.UNKNOWN, f"where {name} lies")
         found |= _operation_labels(component)
     return Labels(found)
 

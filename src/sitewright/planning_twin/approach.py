@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose, Vector
+from sitewright.planning_twin.blockers import blocked_by
 from sitewright.planning_twin.jobsite import lifted
 from sitewright.planning_twin.motion import PathSegment, PlanningBackends
 from sitewright.planning_twin.refusal import BlockedBy, NoIk
@@ -149,13 +150,13 @@ class Approaches:
         """
         shape = wanted_rad and without_turns(self.reaching.description, wanted_rad)
         if shape and (pairs := self._blocked.get(shape)):
-            return BlockedBy(pairs=pairs)
+            return blocked_by(self.reaching.scene, self.reaching.robot, [pairs])
         return NoIk(is_proven=False, reason="no posture serves what follows")
 
     def why_not(self) -> NoIk | BlockedBy:
         """Return why there is none, once all were looked for."""
         if self._blocked:
-            return BlockedBy(pairs=min(self._blocked.values(), key=len))
+            return blocked_by(self.reaching.scene, self.reaching.robot, self._blocked.values())
         return self._lost or NoIk(
             is_proven=False, reason="no branch of the inverse kinematics holds"
         )

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field, replace
 
-from sitewright.foundation.ids import ComponentId
-from sitewright.planning_twin.refusal import BlockedBy, NotClear, Refusal
-from sitewright.planning_twin.scene import Pair
+from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.planning_twin.blockers import removals
+from sitewright.planning_twin.jobsite import scene_of
+from sitewright.planning_twin.refusal import BlockedBy, Disagreement, NoGrasp, NotClear, Refusal
+from sitewright.planning_twin.scene import Pair, SceneSnapshot
 from sitewright.planning_twin.scope import scope_of
 from sitewright.planning_twin.sequence import SequenceRefusal
 from sitewright.planning_twin.wording import in_words, is_proof
@@ -90,7 +92,23 @@ def refused_call(
         attempt=attempt,
         evidence=sentence(act, _place(refused), piece, refusal),
         scope=scope,
+        removals=removals_of(scene_of(refused.site), call.robot, refusal),
     )
+
+
+def removals_of(
+    scene: SceneSnapshot, robot: RobotId, refusal: Refusal
+) -> tuple[tuple[str, ...], ...]:
+    """Return the smallest sets of bodies and robots without which a motion might be possible."""
+    match refusal:
+        case NoGrasp(removals=sets):
+            return sets
+        case BlockedBy(pairs=pairs, removals=sets):
+            return sets or removals(scene, robot, [pairs])
+        case NotClear(pair=pair) | Disagreement(pair=pair):
+            return removals(scene, robot, [(pair,)])
+        case _:
+            return ()
 
 
 def _as_last_resort(refusal: Refusal, attempt: int, *, is_known: bool) -> tuple[str, int]:

@@ -111,6 +111,7 @@ def _taken(
     are = "is" if len(others) == 1 else "are"
     return BlockedBy(
         pairs=tuple((piece, other) for other in others),
+        removals=(tuple(others),),
         reason=f"{' and '.join(others)} {are} in its place",
     )
 

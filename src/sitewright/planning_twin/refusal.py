@@ -26,9 +26,15 @@ class NoIk:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BlockedBy:
-    """Every joint position for the pose collides; `pairs` of the branch with the fewest."""
+    """Every joint position for the pose collides.
+
+    Attributes:
+        pairs: Those of the joint position that the fewest things are in the way of.
+        removals: Smallest sets of bodies and robots whose removal frees a joint position.
+    """
 
     pairs: tuple[Pair, ...]
+    removals: tuple[tuple[str, ...], ...] = ()
     reason: str = ""
 
 
@@ -69,11 +75,13 @@ class NoGrasp:
 
     Attributes:
         dropped_by: How many candidates each of the lists dropped.
+        removals: Smallest sets of bodies and robots without which a grasp might serve.
     """
 
     is_proven: bool
     candidates: int
     dropped_by: tuple[tuple[str, int], ...] = ()
+    removals: tuple[tuple[str, ...], ...] = ()
     reason: str = ""
 
 

@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.planning_twin.blockers import owner_of
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NotClear
-from sitewright.planning_twin.scene import Attachment, Pair
+from sitewright.planning_twin.scene import Pair
 from sitewright.planning_twin.setting_down import lying_on_fixtures
 from sitewright.planning_twin.skill_motions.acts import PLANNERS as ACTS
 from sitewright.planning_twin.skill_motions.finish import plan_apply_finish
@@ -147,10 +148,10 @@ def places_after(
 
 def blocking_robot(stage: Stage, refused: SkillRefusal) -> RobotId | None:
     """Return the other robot whose links, tool or piece are in the way."""
-    pairs = _pairs_of(refused)
-    for pair in pairs:
+    scene = stage.reaching(refused.call.robot).scene
+    for pair in _pairs_of(refused):
         for name in pair:
-            owner = owner_of(stage, name)
+            owner = owner_of(scene, name)
             if owner is not None and owner != refused.call.robot:
                 return owner
     return None
@@ -164,16 +165,6 @@ def _pairs_of(refused: SkillRefusal) -> tuple[Pair, ...]:
             return (pair,)
         case _:
             return ()
-
-
-def owner_of(stage: Stage, name: str) -> RobotId | None:
-    """Return the robot that a link belongs to or that carries a body."""
-    scene = stage.reaching(next(iter(stage.site.arms))).scene
-    body = scene.bodies.get(name)  # type: ignore[call-overload]
-    if body is not None:
-        return body.placement.robot if isinstance(body.placement, Attachment) else None
-    robot = RobotId(name.split("/", maxsplit=1)[0])
-    return robot if robot in scene.robots else None
 
 
 def _park_elsewhere(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
-from sitewright.foundation.pose import Pose, distance, translation
+from sitewright.foundation.pose import Pose, Vector, distance, rotation, translation
 from sitewright.planning_twin.approach import Approaches
 from sitewright.planning_twin.grasp_trial import grasp_trial, is_proven
 from sitewright.planning_twin.jobsite import PieceShape
@@ -16,11 +17,26 @@ from sitewright.planning_twin.touches import set_down_touch
 from sitewright.symbolic_planning.site_view import PlaceId
 
 _TAKEN_M = 0.3
+_ROLLS: tuple[tuple[Vector, int, float], ...] = (
+    ((0.0, 0.0, 1.0), 2, 0.0),
+    ((0.0, 1.0, 0.0), 1, math.pi / 2.0),
+    ((0.0, 0.0, -1.0), 2, math.pi),
+    ((0.0, -1.0, 0.0), 1, -math.pi / 2.0),
+)
+"""Which way of a piece is up, the axis of it, and the roll about x that turns it up."""
 
 
-def pose_on(world_T_surface: Pose, piece: PieceShape) -> Pose:
-    """Return the pose of a piece that lies on a buffer's surface, along its x axis."""
-    return world_T_surface @ translation(0.0, 0.0, piece.size_m[2] / 2.0)
+def pose_on(world_T_surface: Pose, piece: PieceShape, world_T_piece: Pose) -> Pose:
+    """Return the pose of a piece on a buffer's surface, along its x axis.
+
+    Args:
+        world_T_surface: Middle of the surface, z up.
+        piece: What is laid down.
+        world_T_piece: Where it was taken: the side that was up there stays up.
+    """
+    _, axis, roll_rad = max(_ROLLS, key=lambda r: world_T_piece.turn(r[0])[2])
+    raised = world_T_surface @ translation(0.0, 0.0, piece.size_m[axis] / 2.0)
+    return raised @ rotation((1.0, 0.0, 0.0), roll_rad)
 
 
 def lying_on_fixtures(context: TwinContext, piece: ComponentId) -> Task:
@@ -40,10 +56,22 @@ def places_to_set_down(
                 yield holding.robot, holding.piece, place
 
 
+def _pose(context: TwinContext, piece: ComponentId, surface: Pose) -> Pose:
+    site = context.site
+    return pose_on(surface, site.pieces[piece], site.world_T_piece[piece])
+
+
 def _is_taken(context: TwinContext, surface: Pose, *, by_other_than: ComponentId) -> bool:
+    return is_taken(context.site.world_T_piece, surface, by_other_than=by_other_than)
+
+
+def is_taken(
+    world_T_pieces: Mapping[ComponentId, Pose], surface: Pose, *, by_other_than: ComponentId
+) -> bool:
+    """Tell whether another piece lies on a buffer's surface."""
     return any(
         distance(pose.position_m, surface.position_m) < _TAKEN_M
-        for piece, pose in context.site.world_T_piece.items()
+        for piece, pose in world_T_pieces.items()
         if piece != by_other_than
     )
 
@@ -55,7 +83,7 @@ def _reaches(context: TwinContext, holding: Holding, surface: Pose) -> bool:
         return False
     trial = grasp_trial(context, robot, tool, holding.piece, holding.grasp)
     touch = set_down_touch(
-        pose_on(surface, context.site.pieces[holding.piece]),
+        _pose(context, holding.piece, surface),
         tool,
         holding.piece,
         holding.grasp,

@@ -176,5 +176,6 @@ def _refused(
         is_proven=is_proof(refusal),
         evidence=evidence,
         scope=scope_of(context.site, robot.id, fact),
+        removals=refusal.removals if isinstance(refusal, BlockedBy | NoGrasp) else (),
     )
     return StudyRefusal(nogood=nogood, refusal=refusal)

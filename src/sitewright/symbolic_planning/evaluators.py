@@ -60,6 +60,15 @@ def _false(_args: tuple[str, ...], _site: SiteIndex) -> Truth:
     return Truth.FALSE
 
 
+def _if_installed(wanted: Truth) -> Evaluate:
+    """Return what installing the target asks for; an errand leaves the target as it is."""
+
+    def after(_args: tuple[str, ...], site: SiteIndex) -> Truth:
+        return Truth.ANY if site.view.errand is not None else wanted
+
+    return after
+
+
 # --- what cell and model know -----------------------------------------------------------------
 
 
@@ -197,6 +206,12 @@ def _lies_at(args: tuple[str, ...], site: SiteIndex) -> Truth:
     return _truth(site.view.lies_at.get(ComponentId(args[0])) == args[1])
 
 
+def _lies_at_after(args: tuple[str, ...], site: SiteIndex) -> Truth:
+    errand = site.view.errand
+    is_wanted = errand is not None and args == (errand.piece, errand.place)
+    return Truth.TRUE if is_wanted else Truth.ANY
+
+
 def _accessible(args: tuple[str, ...], site: SiteIndex) -> Truth:
     piece = ComponentId(args[0])
     return _truth(piece in site.view.lies_at and piece not in site.covered)
@@ -250,7 +265,7 @@ EVALUATORS: Mapping[str, Evaluator] = {
     "can-set-down": Evaluator(("robot", "thing", "stock-place"), _can_set_down, _any),
     "excludes": Evaluator(("robot", "place", "place"), _excludes, _any),
     "matches": Evaluator(("thing", "target"), _matches, _any),
-    "ready": Evaluator(("target",), _ready, _true),
+    "ready": Evaluator(("target",), _ready, _if_installed(Truth.TRUE)),
     "spot-of": Evaluator(("place", "target"), _spot_of, _any),
     "tacks": Evaluator(("fastener", "target"), _tacks, _any),
     "driven-after": Evaluator(("place", "fastener"), _driven_after, _any),
@@ -265,13 +280,13 @@ EVALUATORS: Mapping[str, Evaluator] = {
     "steadying": Evaluator(("robot", "target"), _steadying, _false),
     "mounted": Evaluator(("robot", "end-effector"), _mounted, _any),
     "docked": Evaluator(("end-effector", "tool-station"), _docked, _any),
-    "lies-at": Evaluator(("thing", "stock-place"), _lies_at, _any),
+    "lies-at": Evaluator(("thing", "stock-place"), _lies_at, _lies_at_after),
     "accessible": Evaluator(("thing",), _accessible, _any),
-    "pending": Evaluator(("target",), _pending, _false),
+    "pending": Evaluator(("target",), _pending, _if_installed(Truth.FALSE)),
     "in-place": Evaluator(("thing", "target"), _in_place, _in_place_after),
-    "positioned": Evaluator(("target",), _positioned, _true),
-    "standing": Evaluator(("target",), _standing, _true),
-    "fastened": Evaluator(("fastener",), _done, _true),
-    "finished": Evaluator(("finish",), _done, _true),
+    "positioned": Evaluator(("target",), _positioned, _if_installed(Truth.TRUE)),
+    "standing": Evaluator(("target",), _standing, _if_installed(Truth.TRUE)),
+    "fastened": Evaluator(("fastener",), _done, _if_installed(Truth.TRUE)),
+    "finished": Evaluator(("finish",), _done, _if_installed(Truth.TRUE)),
 }
 """Every predicate that a domain file may use."""

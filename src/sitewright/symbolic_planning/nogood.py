@@ -39,6 +39,7 @@ class Nogood:
         evidence: Sentence for people: what was tried and what was in the way.
         scope: Hash of all that it depends on (`scope_hash`); another hash and it is void.
         remedy: What a person can do about it; empty if the fact says enough.
+        removals: Smallest sets of bodies and robots without which the motion might be possible.
     """
 
     fact: Fact
@@ -47,6 +48,7 @@ class Nogood:
     evidence: str
     scope: str
     remedy: str = ""
+    removals: tuple[tuple[str, ...], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,6 +66,7 @@ class RefusedCall:
         blocking_robot: If another robot is in the way.
         blocking_place: Where that robot is; None is in transit or parked.
         attempt: 1 if this call in this scope is refused for the first time.
+        removals: As `Nogood` has them.
     """
 
     kind: str
@@ -78,6 +81,7 @@ class RefusedCall:
     attempt: int = 1
     evidence: str = ""
     scope: str = ""
+    removals: tuple[tuple[str, ...], ...] = ()
 
 
 def scope_hash(parts: Mapping[str, Json]) -> str:
@@ -148,6 +152,7 @@ def _blocked(refused: RefusedCall) -> tuple[Nogood, ...]:
             is_proven=True,
             evidence=refused.evidence,
             scope=refused.scope,
+            removals=refused.removals,
         )
         for fact in (
             ("excludes", refused.robot, here, there),
@@ -177,6 +182,7 @@ def _removed(refused: RefusedCall, *, is_proven: bool) -> Nogood:
         is_proven=is_proven,
         evidence=refused.evidence,
         scope=refused.scope,
+        removals=refused.removals,
     )
 
 

@@ -211,6 +211,8 @@ def _hopeless_operations(site: SiteIndex) -> tuple[str, ...]:
     """Say which operations of the targets no built-in skill does, or wait for what is not here."""
     handled = FASTENING_PROCESSES | FINISHING_PROCESSES | {Process.PLACE}
     found: list[str] = []
+    if site.view.errand is not None:
+        return ()
     for target in site.targets:
         node = site.view.graph.node_by_id.get(target)
         for op in node.operations if isinstance(node, TargetNode) else ():

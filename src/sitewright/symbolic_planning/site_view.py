@@ -54,6 +54,18 @@ class GeometricFacts:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Errand:
+    """A piece to be brought to a buffer before its target, or another one, is built.
+
+    Attributes:
+        place: Buffer station.
+    """
+
+    piece: ComponentId
+    place: PlaceId
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SiteView:
     """Everything that a predicate's evaluator may ask, at one moment.
 
@@ -67,6 +79,7 @@ class SiteView:
         done_operations: Fasteners driven, finishes applied.
         docked: Tool station of each end effector that is on no robot.
         movable: Further pieces that may be grasped and set down elsewhere, being in the way.
+        errand: What is to be done instead of installing the target, if not that.
     """
 
     graph: ConstructionGraph
@@ -81,3 +94,4 @@ class SiteView:
     docked: Mapping[EndEffectorId, StationId] = field(default_factory=dict)
     geometry: GeometricFacts = field(default_factory=GeometricFacts)
     movable: tuple[ComponentId, ...] = ()
+    errand: Errand | None = None

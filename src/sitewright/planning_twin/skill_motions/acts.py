@@ -95,7 +95,8 @@ def plan_set_down(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     opening = _opening(stage, call.robot, piece)
     if isinstance(opening, BlockedBy):
         return _refused(call, opening)
-    pose = pose_on(task.buffers[place], stage.site.pieces[piece])
+    site = stage.site
+    pose = pose_on(task.buffers[place], site.pieces[piece], site.world_T_piece[piece])
     params: dict[str, Json] = {
         "piece": piece,
         "world_T_piece": pose_json(pose),

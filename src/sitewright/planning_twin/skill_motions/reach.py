@@ -148,7 +148,7 @@ def _set_down_touches(
     holding = stage.holding(robot, piece)
     if world_T_surface is None or holding is None:
         return NoIk(is_proven=False, reason=f"nothing can be set down at {place}")
-    pose = pose_on(world_T_surface, stage.site.pieces[piece])
+    pose = pose_on(world_T_surface, stage.site.pieces[piece], stage.site.world_T_piece[piece])
     tool = stage.tool(robot)
     fixtures = tuple(BodyId(f) for f in stage.context.cell.fixture_by_id)
     return [set_down_touch(pose, tool, piece, holding.grasp, touches=fixtures)]

@@ -1,0 +1,77 @@
+"""What is tried before a person is asked: one scene for each step, in which it is what helps."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from builders_planning import SUPPORT_1, A, case_study_start, with_cell, with_piece_at
+from sitewright.central_controller.ports import Escalation, Planned, SiteContext
+from sitewright.central_controller.proposing import Proposals
+from sitewright.central_controller.rehearsal import rehearsed
+from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.pose import Pose, rotation, translation
+from sitewright.robot_team.cell import Cell, StationKind
+from sitewright.robot_team.skill import Skill, SkillCall
+
+FALLEN = ComponentId("thick.3")
+
+
+@pytest.fixture(scope="module")
+def start() -> tuple[Proposals, SiteContext]:
+    return case_study_start()
+
+
+def lying_in_the_way(proposals: Proposals, context: SiteContext, roll: Pose) -> SiteContext:
+    """Return the site with a piece dropped where the first support belongs, a little askew."""
+    here = proposals.design.world_T_target(SUPPORT_1)
+    askew = translation(0.03, 0.2, 0.0) @ here @ rotation((0.0, 0.0, 1.0), 0.2)
+    return with_piece_at(context, FALLEN, askew @ roll)
+
+
+def without_buffers(cell: Cell) -> Cell:
+    stations = {i: s for i, s in cell.station_by_id.items() if s.kind is not StationKind.BUFFER}
+    return replace(cell, station_by_id=stations)
+
+
+def acts(planned: Planned) -> list[SkillCall]:
+    moves = (Skill.REACH, Skill.RETRACT)
+    return [s.call for s in planned.proposal.steps if s.call.skill not in moves]
+
+
+ON_ITS_SIDE = translation(0.0, 0.0, -0.025) @ rotation((1.0, 0.0, 0.0), 1.5707963267948966)
+
+
+@pytest.mark.parametrize("roll", [Pose(), ON_ITS_SIDE], ids=["upright", "on its side"])
+def test_a_piece_in_the_way_is_brought_to_a_free_buffer_first(
+    start: tuple[Proposals, SiteContext], roll: Pose
+) -> None:
+    proposals, clear = start
+    context = lying_in_the_way(proposals, clear, roll)
+    outcome = proposals.propose(context)
+    assert isinstance(outcome, Planned)
+    grasped, down, *rest = acts(outcome)
+    assert grasped.arguments[0] == FALLEN
+    assert down == SkillCall(Skill.SET_DOWN, A, (FALLEN, "buffer-a"))
+    assert [c.skill for c in rest] == [Skill.GRASP, Skill.POSITION, Skill.RELEASE]
+    after = rehearsed(context, outcome.proposal)
+    assert after.site.is_secured(SUPPORT_1)
+    assert proposals.graph_of(after).node_by_id[FALLEN].place == "buffer-a"  # type: ignore[attr-defined]
+    assert [s.number for s in outcome.proposal.steps] == list(
+        range(1, len(outcome.proposal.steps) + 1)
+    )
+    assert outcome.refusals[0].reason.endswith("thick.3 is in its place: thick.2 and thick.3")
+
+
+def test_without_a_buffer_the_piece_in_the_way_is_named_to_a_person(
+    start: tuple[Proposals, SiteContext],
+) -> None:
+    proposals, clear = start
+    context = lying_in_the_way(proposals, clear, Pose())
+    bare = with_cell(proposals, without_buffers(proposals.design.cell))
+    outcome = bare.propose(context)
+    assert isinstance(outcome, Escalation)
+    assert outcome.target == SUPPORT_1
+    assert not outcome.is_proven
+    assert "take thick.3 out of the way" in outcome.reason
