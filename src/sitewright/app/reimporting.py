@@ -16,6 +16,7 @@ from sitewright.app.import_records import imported_source, read_back, read_recor
 from sitewright.app.importing import ImportOptions, keeping_record, read_design
 from sitewright.app.inferring import surroundings_of
 from sitewright.app.locks import locked
+from sitewright.app.marked_files import as_designed
 from sitewright.app.model_changes import Change, changes_between, patched
 from sitewright.app.model_writing import BACKUP, OpenRunError, require_readable
 from sitewright.app.project import BUILDING, CELL, ProjectError
@@ -146,7 +147,7 @@ def _merged(
             f"{folder} was imported from {source.file} ({source.kind}), and {file} is another "
             f"kind of file ({read.sources[-1].kind}). Import it into a new folder."
         )
-    read, kept = keeping_record(read, options)
+    read, kept = keeping_record(as_designed(read, old, history.state.site), options)
     base = _base(folder, source, options, wishes)
     base, theirs = (without_inferred(in_coordinates_of(d, old)) for d in (base, read_back(read)))
     mine = stated_facts(old, base)

@@ -59,7 +59,8 @@ def properties_of(element: Any) -> tuple[dict[str, str], dict[str, Any]]:  # noq
     """Return single values as text by ``Set.Property``, and the other ones by the same key.
 
     Properties of the set ``Sitewright`` are only found under ``sitewright.key``, the importer's
-    own keys; so is the layer of a component that an earlier run has built.
+    own keys; so is the layer of a component that an earlier run has built. What else an export
+    wrote is passed over.
     """
     from ifcopenshell.util.element import get_psets
 
@@ -67,8 +68,10 @@ def properties_of(element: Any) -> tuple[dict[str, str], dict[str, Any]]:  # noq
     text: dict[str, str] = _plain_attributes(element)
     rest: dict[str, Any] = {}
     for name, values in sorted(sets.items()):
+        if name.lower() == OWN_SET.lower() or _BUILT.match(name):
+            continue
         for key, value in values.items():
-            if key == "id" or value is None or name.lower() == OWN_SET.lower():
+            if key == "id" or value is None:
                 continue
             if isinstance(value, str | int | float | bool):
                 text[f"{name}.{key}"] = _as_text(value)

@@ -48,27 +48,33 @@ class WrongValueError(ValueError):
 
 
 def attributes_of(part: NeutralPart, words: ImportMap) -> Attributes:
-    """Return a part's attributes: our own keys first, then those of the user's map."""
+    """Return a part's attributes: our own keys first, then those of the user's map.
+
+    What an earlier export wrote is passed over.
+    """
     ours: dict[str, str] = {}
     rest: dict[str, Json] = dict(part.raw)
     problems: list[Problem] = []
     has_told_formulas = any(code == "T1" for code, _, _ in part.problems)
     for key, text in sorted(part.user_text.items()):
-        name = key[len(PREFIX) :] if key.lower().startswith(PREFIX) else ""
+        name = _own(key)
         if _FORMULA.search(text):
             rest[key] = text
             if not has_told_formulas:
                 problems.append(_formula(part, key))
-        elif name.lower() in READ_KEYS:
-            ours[name.lower()] = text.strip()
-        else:
+        elif name in READ_KEYS:
+            ours[name] = text.strip()
+        elif name not in WRITTEN_KEYS:
             rest[key] = text
-            if name and name.lower() not in WRITTEN_KEYS:
+            if name:
                 problems.append(_unknown(part, key, name))
-    for key, foreign in words.foreign_keys.items():
-        if key not in ours and (value := _foreign(part, foreign)):
-            ours[key] = value
-    return Attributes(value_by_key=ours, rest=rest, problems=tuple(problems))
+    theirs = {k: v for k, foreign in words.foreign_keys.items() if (v := _foreign(part, foreign))}
+    return Attributes(value_by_key={**theirs, **ours}, rest=rest, problems=tuple(problems))
+
+
+def _own(key: str) -> str:
+    """Return a key of ours without its prefix, in small letters; empty if it is none."""
+    return key[len(PREFIX) :].lower() if key.lower().startswith(PREFIX) else ""
 
 
 def word(text: str) -> str:
@@ -144,7 +150,7 @@ def _formula(part: NeutralPart, key: str) -> Problem:
 
 
 def _unknown(part: NeutralPart, key: str, name: str) -> Problem:
-    message = f"Sitewright reads no key {key!r}.{did_you_mean(name.lower(), READ_KEYS)}"
+    message = f"Sitewright reads no key {key!r}.{did_you_mean(name, READ_KEYS)}"
     return _warned(part, "K1", message, "Correct the key; its value is kept under 'raw'.")
 
 
