@@ -172,7 +172,7 @@ def test_a_cell_that_lacks_the_stock_place_is_told_once_for_all_pieces(
     shutil.copy(project / "building.json", bare)
     notes = exported(bare, "--gltf")["notes"]
     assert [n for n in notes if "pallet-thick" in n] == [
-        "3 pieces of stock are not drawn: the cell has no stock place 'pallet-thick'."
+        "Stock is not drawn (pieces: 3): the cell has no stock place 'pallet-thick'."
     ]
     assert len(notes) == 3
     assert set(facts_in(bare / "as_built.glb")) >= {"support-1", "stud-3"}

@@ -61,7 +61,7 @@ class _Artist:
     def left_out(self) -> list[str]:
         """What was not drawn, and why."""
         lost = [
-            f"{count} pieces of stock are not drawn: the cell has no stock place {place!r}."
+            f"Stock is not drawn (pieces: {count}): the cell has no stock place {place!r}."
             for place, count in sorted(self._placeless.items())
         ]
         return [*self._shapeless, *lost]

@@ -112,7 +112,7 @@ def export_rhino(state: BuiltState, original: Path, out: Path) -> Export:
     objects = state.objects
     names = layer_names(state.folder, state.design)
     copy = rhino_export.export_rhino(original, objects, out, names=names)
-    said = (*copy.losses, *_used(objects, " Their layer Consumed is switched off."))
+    said = (*copy.losses, *_used(objects, " Its layer Consumed is switched off."))
     return _copy(state, original, copy.path, copy.not_found, said)
 
 
@@ -174,7 +174,7 @@ def _other_content(state: BuiltState, original: Path) -> list[str]:
 
 def _used(objects: dict[str, ObjectState], more: str = "") -> list[str]:
     count = sum(s.status == CONSUMED for s in objects.values())
-    return [f"{count} pieces of stock were used and are marked {CONSUMED}.{more}"] if count else []
+    return [f"Stock that was used is marked {CONSUMED} (pieces: {count}).{more}"] if count else []
 
 
 def _sources(state: BuiltState, kind: FileKind) -> list[Source]:
