@@ -60,6 +60,18 @@ def test_the_demo_builds_the_whole_frame_and_proves_it(demo: dict[str, Any]) -> 
 
 
 @pytest.mark.slow
+def test_every_certificate_of_the_demo_is_proven_again(folder: Path, demo: dict[str, Any]) -> None:
+    project = (folder / demo["folder"]).parents[1]
+    code, out, err = sitewright("audit", "certificates", project, "--json", cwd=folder)
+    audit = json.loads(out)
+    assert code == 0, err[-2000:]
+    assert audit["is_proven"]
+    assert audit["is_scene_compared"]
+    assert len(audit["motions"]) == demo["trajectories_total"]
+    assert 0.0 < audit["longest_contact_m"] <= 0.035
+
+
+@pytest.mark.slow
 def test_the_run_folder_has_what_the_demo_says(folder: Path, demo: dict[str, Any]) -> None:
     run = folder / demo["folder"]
     report = json.loads((run / "report.json").read_text(encoding="utf-8"))

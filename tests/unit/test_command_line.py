@@ -37,6 +37,7 @@ COMMANDS = {
     "run",
     "resolve",
     "report",
+    "audit",
     "export",
     "doctor",
     "version",

@@ -55,7 +55,7 @@ def write_report(
         ExecutionError: There is no such run.
         JournalError: Its journal cannot be trusted.
     """
-    folder = _folder(project, run)
+    folder = chosen_run(project, run)
     project = _as_designed_then(project, folder)
     before, after = _sites(project, folder)
     history = [
@@ -77,7 +77,12 @@ def write_report(
     return Report(summary=summary, document=document, files=files)
 
 
-def _folder(project: Project, run: str | None) -> RunFolder:
+def chosen_run(project: Project, run: str | None) -> RunFolder:
+    """Return a run of a project, the newest if none is named.
+
+    Raises:
+        ExecutionError: There is no such run.
+    """
     runs = project.folder / "runs"
     if run is None:
         newest = newest_run(runs)

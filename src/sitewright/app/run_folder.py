@@ -137,7 +137,7 @@ def chain_of(folder: RunFolder) -> tuple[RunFolder, ...]:
     """Return the run and all that it continues, the first one first."""
     chain = [folder]
     while True:
-        start = _start_of(chain[0])
+        start = start_of_run(chain[0])
         if start is None or not start.previous_run:
             return tuple(chain)
         chain.insert(0, RunFolder(folder.path.parent / start.previous_run))
@@ -166,7 +166,8 @@ def event_of(folder: RunFolder, record: Record) -> AnyEvent:
         raise JournalCorruptError(folder.journal, f"record {record.seq}: {error}") from error
 
 
-def _start_of(folder: RunFolder) -> RunStarted | None:
+def start_of_run(folder: RunFolder) -> RunStarted | None:
+    """Return the first event of a run; None if there is none."""
     records = read_records(folder.journal)
     if not records:
         return None

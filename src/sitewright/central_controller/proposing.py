@@ -29,6 +29,7 @@ from sitewright.central_controller.ports import (
 )
 from sitewright.central_controller.proposal import ProposedStep
 from sitewright.central_controller.recovering import Recovery
+from sitewright.central_controller.start_site import site_at_start
 from sitewright.central_controller.statuses import strays
 from sitewright.central_controller.surveying import GraphOf, Situation, Surveyor
 from sitewright.central_controller.target_planning import (
@@ -41,9 +42,8 @@ from sitewright.planning_twin.jobsite import PieceShape
 from sitewright.planning_twin.recheck import recertify
 from sitewright.planning_twin.refusal import StaleCertificate
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal, plan_sequence
-from sitewright.planning_twin.skill_motions.stage import with_opening
 from sitewright.planning_twin.wording import in_words
-from sitewright.robot_team.skill import Skill, SkillCall
+from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.problem import problem_for
 from sitewright.symbolic_planning.reasons import facts_that_fail
 
@@ -150,10 +150,7 @@ class Proposals:
         missing = facts_that_fail(step.relies_on, view)
         if missing:
             return FactsChanged(facts=missing)
-        opening = step.params.get("aperture_m") if step.call.skill == Skill.REACH else None
-        if isinstance(opening, float):
-            site = with_opening(site, step.call.robot, opening)
-        proof = recertify(self.ports.backends.certifier, site, step.motions)
+        proof = recertify(self.ports.backends.certifier, site_at_start(site, step), step.motions)
         if isinstance(proof, StaleCertificate):
             return proof
         return StillClear(tuple(p.certificate for p in proof), tuple(p.scene for p in proof))

@@ -20,7 +20,7 @@ from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose, Vector, scale
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import ArmState, Jobsite, PieceShape
-from sitewright.planning_twin.motion import Kinematics
+from sitewright.planning_twin.motion import ForwardKinematics
 from sitewright.planning_twin.task import Insertion, Task
 from sitewright.robot_team.cell import Cell
 from sitewright.robot_team.driver import RobotObservation
@@ -46,7 +46,7 @@ def jobsite_of(
     design: Design,
     shapes: Mapping[ComponentId, PieceShape],
     context: SiteContext,
-    kinematics: Kinematics,
+    kinematics: ForwardKinematics,
 ) -> Jobsite:
     """Return the cell as sensed, for the planning twin."""
     seen = context.observation
@@ -79,7 +79,7 @@ def _arm(
     robot: RobotId,
     state: RobotObservation,
     world_T_piece: Mapping[ComponentId, Pose],
-    kinematics: Kinematics,
+    kinematics: ForwardKinematics,
 ) -> ArmState:
     unit = cell.robot_by_id[robot]
     held = state.gripped if state.gripped in world_T_piece else None

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 import click
 
+from sitewright.cli.audit_commands import audit
 from sitewright.cli.check_command import check
 from sitewright.cli.export_commands import export
 from sitewright.cli.failure import failed
@@ -44,6 +45,7 @@ for _command in (
     run,
     resolve,
     report,
+    audit,
     export,
     doctor,
     version,

@@ -228,15 +228,19 @@ class ArmVerdict:
     reason: str = ""
 
 
-class Kinematics(Protocol):
+class ForwardKinematics(Protocol):
+    """Where the tip is."""
+
+    def tip(self, description: Description, q_rad: Joints) -> Pose:
+        """Return base_T_tip of a posture."""
+        ...
+
+
+class Kinematics(ForwardKinematics, Protocol):
     """Forward and inverse kinematics of one description."""
 
     def verdict(self, description: Description) -> ArmVerdict:
         """Return how the arm's inverse kinematics are solved, and why so."""
-        ...
-
-    def tip(self, description: Description, q_rad: Joints) -> Pose:
-        """Return base_T_tip of a posture."""
         ...
 
     def solve(

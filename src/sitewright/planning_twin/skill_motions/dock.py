@@ -6,6 +6,7 @@ from sitewright.foundation.ids import BodyId, RobotId
 from sitewright.foundation.pose import Pose, scale
 from sitewright.planning_twin.approach import (
     CONTACT_M,
+    NEIGHBOUR_M,
     PRE_M,
     Approach,
     Touch,
@@ -42,12 +43,11 @@ def tool_in_dock(stage: Stage, robot: RobotId) -> EndEffector | None:
 
 def dock_touch(stage: Stage, robot: RobotId, tool: EndEffector, dock: Pose) -> Touch:
     """Return the contact of a flange with a tool that stands in its dock, or is put there."""
-    near = dock_contacts(stage, robot, tool)
     return Touch(
         world_T_tip=dock,
         back_off=scale(dock.z_axis, -1.0),
-        near_m=near,
-        free_m=near,
+        near_m=dock_contacts(stage, robot, tool),
+        free_m=declared(NEIGHBOUR_M, bodies_of_tool(tool), _fixtures(stage)),
         distance_m=_ABOVE_M,
     )
 
@@ -56,12 +56,15 @@ def dock_contacts(stage: Stage, robot: RobotId, tool: EndEffector) -> dict[Pair,
     """Return what may touch in a dock: flange and tool, tool and rack."""
     links = stage.robot(robot).description.links
     flange = next(link.name for link in reversed(links) if link.shape)
-    fixtures = tuple(BodyId(f) for f in stage.context.cell.fixture_by_id)
     bodies = bodies_of_tool(tool)
     return {
-        **declared(CONTACT_M, bodies, fixtures),
+        **declared(CONTACT_M, bodies, _fixtures(stage)),
         **declared(_MATING_M, bodies, (BodyId(link_name(robot, flange)),)),
     }
+
+
+def _fixtures(stage: Stage) -> tuple[BodyId, ...]:
+    return tuple(BodyId(f) for f in stage.context.cell.fixture_by_id)
 
 
 def way_up(
