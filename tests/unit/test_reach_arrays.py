@@ -131,6 +131,23 @@ def expected_pairs(
     ]
 
 
+def seen(
+    load: Load,
+    q: np.ndarray,
+    around: list[Around],
+    thresholds: Thresholds,
+    world_T_piece: np.ndarray | None = None,
+) -> list[tuple[Pair, ...]]:
+    """Return what the arm, its hand and the piece in it see between them."""
+    clearance, hand, piece = Clearance(), load.hand(), load.piece()
+    tips_of = load.world_T_base @ load.arm.chain.tips(q)
+    shares = [(load.moving, load.placed(q, world_T_piece)), (hand.moving, hand.placed(tips_of))]
+    if piece is not None and world_T_piece is not None:
+        shares.append((piece.moving, piece.placed(world_T_piece)))
+    found = [clearance.too_near(*s, around, thresholds, is_thorough=True) for s in shares]
+    return [tuple(sorted({p for pairs in row for p in pairs})) for row in zip(*found, strict=True)]
+
+
 @pytest.mark.parametrize("is_padded", [False, True])
 def test_batches_see_the_pairs_that_the_collision_check_sees(
     is_padded: bool,  # noqa: FBT001 - a parameter of the test
@@ -141,7 +158,7 @@ def test_batches_see_the_pairs_that_the_collision_check_sees(
     around = [Around(still, np.ones(len(still.parts), dtype=np.bool_))]
     thresholds = Thresholds(clearance_m=scene.clearance_m, declared_m=declared_m)
     wanted = thresholds.padded() if is_padded else thresholds
-    found = Clearance().too_near(load, load.placed(q), around, wanted, is_thorough=True)
+    found = seen(load, q, around, wanted)
     expected = expected_pairs(scene, q, declared_m, is_padded=is_padded)
     assert found == expected
     assert 20 < sum(bool(pairs) for pairs in expected) < 150
@@ -153,8 +170,8 @@ def test_a_quick_look_names_one_of_the_pairs_and_frees_nobody() -> None:
     around = [Around(still, np.ones(len(still.parts), dtype=np.bool_))]
     thresholds = Thresholds(clearance_m=0.01)
     clearance, placed = Clearance(), load.placed(q)
-    quick = clearance.too_near(load, placed, around, thresholds)
-    whole = clearance.too_near(load, placed, around, thresholds, is_thorough=True)
+    quick = clearance.too_near(load.moving, placed, around, thresholds)
+    whole = clearance.too_near(load.moving, placed, around, thresholds, is_thorough=True)
     assert [bool(pairs) for pairs in quick] == [bool(pairs) for pairs in whole]
     assert all(set(a) <= set(b) for a, b in zip(quick, whole, strict=True))
 
@@ -168,12 +185,11 @@ def test_a_carried_piece_is_looked_at_where_it_is_said_to_be() -> None:
     q = postures(80, near_home=0.5)
     loaded = with_piece(load, body.shape, STUD)
     tips_of = load.world_T_base @ load.arm.chain.tips(q)
-    placed = loaded.placed(q, tips_of @ matrix_of(tip_T_piece))
     there = np.ones(len(still.parts), dtype=np.bool_)
     there[still.rows(STUD)] = False
-    found = Clearance().too_near(
-        loaded, placed, [Around(still, there)], Thresholds(clearance_m=0.01), is_thorough=True
-    )
+    world_T_piece = tips_of @ matrix_of(tip_T_piece)
+    thresholds = Thresholds(clearance_m=0.01)
+    found = seen(loaded, q, [Around(still, there)], thresholds, world_T_piece)
     assert found == expected_pairs(carrying, q, {}, is_padded=False)
     assert any(STUD in name for pairs in found for pair in pairs for name in pair)
 

@@ -6,9 +6,10 @@ from sitewright.app.design_changes import project_at
 from sitewright.app.project import Project
 from sitewright.app.run_folder import RunFolder, start_of_run
 from sitewright.central_controller.cycle_state import CycleState
+from sitewright.central_controller.design import Design
 from sitewright.central_controller.ports import SiteContext
 from sitewright.central_controller.proposal import ProposedStep
-from sitewright.central_controller.situation import Design, jobsite_of, piece_shapes
+from sitewright.central_controller.situation import jobsite_of, piece_shapes
 from sitewright.central_controller.start_site import site_at_start
 from sitewright.foundation.canonical import sha256_hex
 from sitewright.foundation.pose import Pose

@@ -80,21 +80,28 @@ class _Yard:
         near = sorted(self._nodes.values(), key=lambda n: (distance_m(n, bases_m), n.id))
         self._left = [n.id for n in near]
         self._below = {i: n.construction_parents[0] for i, n in self._nodes.items()}
+        self._fits: dict[tuple[MaterialType, MaterialType], bool] = {}
 
     def accessible(self, wanted: MaterialType) -> Iterator[ComponentId]:
         """Yield the pieces that fit and that nothing lies on, the nearest first."""
         on = self._carrying()
-        return (i for i in self._left if i not in on and fits(self._kind[i], wanted))
+        return (i for i in self._left if i not in on and self._does(i, wanted))
 
     def covered(self, wanted: MaterialType) -> Iterator[ComponentId]:
         """Yield the pieces that fit and that something lies on."""
         on = self._carrying()
-        return (i for i in self._left if i in on and fits(self._kind[i], wanted))
+        return (i for i in self._left if i in on and self._does(i, wanted))
 
     def take(self, pieces: Iterable[ComponentId]) -> None:
         """Use pieces up."""
         for piece in pieces:
             self._left.remove(piece)
+
+    def _does(self, piece: ComponentId, wanted: MaterialType) -> bool:
+        key = (self._kind[piece], wanted)
+        if key not in self._fits:
+            self._fits[key] = fits(*key)
+        return self._fits[key]
 
     def _carrying(self) -> set[ComponentId]:
         return {self._below[i] for i in self._left} - {JOBSITE}

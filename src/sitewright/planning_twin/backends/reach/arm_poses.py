@@ -38,7 +38,7 @@ class Postures:
     beyond_m: Array
     is_never: Flags
 
-    def only(self, rows: Flags) -> Postures:
+    def only(self, rows: Flags | Indices) -> Postures:
         """Return some of the postures."""
         return Postures(self.q[rows], self.pose[rows], self.beyond_m, self.is_never)
 
@@ -136,11 +136,25 @@ def _closed_form(solver: OpwSolver, base_T_tips: Array) -> Postures:
 
 
 def _branches(solver: OpwSolver, base_T_tips: Array) -> Postures:
-    slots, extension_m, is_singular = solver.slots(base_T_tips)
+    """Return the branches of poses; the nudge that finds more of them only where none was found."""
+    plain = _inside_limits(solver.chain, *solver.plain_slots(base_T_tips))
+    left = np.flatnonzero(~plain.has())
+    if not len(left):
+        return plain
+    more = _inside_limits(solver.chain, *solver.slots(base_T_tips[left]))
+    beyond_m, is_never = plain.beyond_m.copy(), np.zeros(len(base_T_tips), dtype=np.bool_)
+    beyond_m[left], is_never[left] = more.beyond_m, more.is_never
+    q, pose = np.concatenate((plain.q, more.q)), np.append(plain.pose, left[more.pose])
+    return Postures(q, pose, beyond_m, is_never)
+
+
+def _inside_limits(
+    chain: KinematicChain, slots: Array, extension_m: Array, is_singular: Flags
+) -> Postures:
     is_branch = np.asarray(np.isfinite(slots).all(axis=2), dtype=np.bool_)
     pose, _ = np.nonzero(is_branch)
-    q, is_inside = _inside(solver.chain, slots[is_branch])
-    is_found = np.zeros(len(base_T_tips), dtype=np.bool_)
+    q, is_inside = _inside(chain, slots[is_branch])
+    is_found = np.zeros(len(slots), dtype=np.bool_)
     is_found[pose[is_inside]] = True
     is_any = np.asarray(is_branch.any(axis=1))
     is_never = ~is_found & np.where(is_any, ~is_singular, extension_m < 0.0)

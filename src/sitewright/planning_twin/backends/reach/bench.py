@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from sitewright.foundation.ids import EndEffectorId, RobotId
@@ -68,6 +70,7 @@ class ArmBench:
         self._base_T_world = np.linalg.inv(matrix_of(robot.world_T_base))
         self._home = np.array(robot.home_q_rad)
         self._loads: dict[float, Load] = {}
+        self._out_of_reach: dict[tuple[tuple[int, ...], Pose], float | None] = {}
 
     def postures(self, world_T_tips: Array) -> Postures:
         """Return all postures for tip poses, m x 4 x 4."""
@@ -76,6 +79,14 @@ class ArmBench:
     def following(self, world_T_tips: Array, near: Postures) -> tuple[Array, Flags]:
         """Return the postures a short way on from some, and which of them exist."""
         return self._poses.following(self._base_T_world @ world_T_tips, near)
+
+    def out_of_reach_m(self, groups: Sequence[GraspGroup], world_T_piece: Pose) -> float | None:
+        """Return how far a piece is proven to be out of reach of every grasp; None if it is not."""
+        key = (tuple(map(id, groups)), world_T_piece)
+        if key not in self._out_of_reach:
+            tips = (matrix_of(world_T_piece) @ g.piece_T_tip for g in groups)
+            self._out_of_reach[key] = _nearest_m([self.postures(t) for t in tips])
+        return self._out_of_reach[key]
 
     def load(self, aperture_m: float, piece: PieceShape | None = None, name: str = "") -> Load:
         """Return the arm with its end effector, and with a piece of that name if it has one."""
@@ -112,6 +123,12 @@ class Bench:
             docked = {i for i, t in self.cell.end_effector_by_id.items() if t.station is not None}
             self._lying[key] = self.still.lying(docked - others - {arm.tool.id})
         return np.asarray(self.still.at(number) & self._lying[key])
+
+
+def _nearest_m(solved: Sequence[Postures]) -> float | None:
+    if not all(rows.is_never.all() for rows in solved):
+        return None
+    return min((float(rows.beyond_m.min()) for rows in solved), default=0.0)
 
 
 def _solver(description: Description) -> Solver:

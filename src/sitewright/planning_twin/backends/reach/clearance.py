@@ -11,9 +11,9 @@ import numpy as np
 from sitewright.planning_twin.backends.collision_check import OFF_M, PAD_RESERVE_M
 from sitewright.planning_twin.backends.convex_part import CompiledPart
 from sitewright.planning_twin.backends.distances import EPS_M, ball_gaps, box_gaps
-from sitewright.planning_twin.backends.kinematic_chain import BASE, Array
+from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.pair_table import Indices
-from sitewright.planning_twin.backends.reach.load import Load
+from sitewright.planning_twin.backends.reach.load import Moving
 from sitewright.planning_twin.backends.reach.surroundings import Surroundings, spreads
 from sitewright.planning_twin.backends.whole_turns import Flags
 from sitewright.planning_twin.scene import Pair, pair_of
@@ -53,7 +53,7 @@ class Around:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Rows:
-    """Questions: which posture, which part of the load, and the other part."""
+    """Questions: which posture, which moving part, and which part that stands still."""
 
     posture: Indices
     part: Indices
@@ -74,7 +74,7 @@ class Clearance:
 
     def too_near(
         self,
-        load: Load,
+        moving: Moving,
         placed: Array,
         around: Sequence[Around],
         thresholds: Thresholds,
@@ -84,32 +84,32 @@ class Clearance:
         """Return, for each posture, the pairs that are too near; the first one suffices.
 
         Args:
-            load: What moves.
-            placed: m x p x 4 x 4, as `Load.placed` gives it.
+            moving: What moves.
+            placed: m x p x 4 x 4, where its parts are.
             around: What stands still.
             thresholds: Distances to keep.
             is_thorough: Return all pairs, not just the first that is found.
         """
         found: list[set[Pair]] = [set() for _ in placed]
         widest_m = thresholds.clearance_m + EPS_M
-        self._own(load, placed, thresholds, widest_m, found, is_thorough=is_thorough)
+        self._own(moving, placed, thresholds, widest_m, found, is_thorough=is_thorough)
         for a in around:
-            rows = _near_rows(load, placed, a, widest_m, found, is_thorough=is_thorough)
+            rows = _near_rows(moving, placed, a, widest_m, found, is_thorough=is_thorough)
             for m, p, w in _by_bound(rows):
                 if found[m] and not is_thorough:
                     continue
-                pair = pair_of(load.names[p], a.still.names[w])
+                pair = pair_of(moving.names[p], a.still.names[w])
                 needed_m = thresholds.of(pair)
                 if pair in found[m] or needed_m == OFF_M:
                     continue
                 frames = (placed[m, p], a.still.frames[w])
-                if self._distance(load.parts[p], a.still.parts[w], frames) < needed_m:
+                if self._distance(moving.parts[p], a.still.parts[w], frames) < needed_m:
                     found[m].add(pair)
         return [tuple(sorted(pairs)) for pairs in found]
 
     def _own(
         self,
-        load: Load,
+        moving: Moving,
         placed: Array,
         thresholds: Thresholds,
         widest_m: float,
@@ -117,22 +117,24 @@ class Clearance:
         *,
         is_thorough: bool,
     ) -> None:
-        count = len(load.own_a)
+        count = len(moving.own_a)
+        if not count:
+            return
         posture = np.repeat(np.arange(len(placed)), count)
-        a, b = np.tile(load.own_a, len(placed)), np.tile(load.own_b, len(placed))
+        a, b = np.tile(moving.own_a, len(placed)), np.tile(moving.own_b, len(placed))
         frames = (placed[posture, a], placed[posture, b])
         bounds = _bounds(
             frames,
-            (load.half_m[a], load.half_m[b]),
-            (load.radius_m[a], load.radius_m[b]),
+            (moving.half_m[a], moving.half_m[b]),
+            (moving.radius_m[a], moving.radius_m[b]),
             widest_m,
         )
         for k in np.flatnonzero(bounds < widest_m).tolist():
             m, row = divmod(k, count)
-            pair = load.own_names[row]
+            pair = moving.own_names[row]
             if (found[m] and not is_thorough) or thresholds.of(pair) == OFF_M:
                 continue
-            parts = load.parts[a[k]], load.parts[b[k]]
+            parts = moving.parts[a[k]], moving.parts[b[k]]
             if self._distance(*parts, (frames[0][k], frames[1][k])) < thresholds.of(pair):
                 found[m].add(pair)
 
@@ -150,7 +152,7 @@ class Clearance:
 
 
 def _near_rows(
-    load: Load,
+    moving: Moving,
     placed: Array,
     around: Around,
     widest_m: float,
@@ -163,31 +165,42 @@ def _near_rows(
     is_open = np.array([is_thorough or not pairs for pairs in found], dtype=np.bool_)
     open_ = np.flatnonzero(is_open)
     there = np.flatnonzero(around.is_there)
-    moving = np.flatnonzero(load.joint != BASE)
-    if not len(open_) or not len(there):
+    outer = moving.outer
+    if not len(open_) or not len(there) or not len(moving.outer):
         none = np.zeros(0, dtype=np.intp)
         return _Rows(none, none, none, np.zeros(0))
-    frames = placed[open_][:, moving]
+    frames = placed[open_][:, outer]
     middles = frames[..., :3, 3]
-    spread_m = spreads(frames, load.half_m[moving]) + widest_m
+    spread_m = spreads(frames, moving.half_m[outer]) + widest_m
     low_m, high_m = middles - spread_m, middles + spread_m
-    is_near = (low_m.min(axis=0)[:, None] <= still.high_m[there]).all(axis=2) & (
-        still.low_m[there] <= high_m.max(axis=0)[:, None]
-    ).all(axis=2)
+    is_near = _overlap(
+        (low_m.min(axis=0)[:, None], high_m.max(axis=0)[:, None]),
+        (still.low_m[there], still.high_m[there]),
+    )
     part, other = np.nonzero(is_near)
-    meets = (low_m[:, part] <= still.high_m[there[other]]).all(axis=2) & (
-        still.low_m[there[other]] <= high_m[:, part]
-    ).all(axis=2)
+    meets = _overlap(
+        (low_m[:, part], high_m[:, part]),
+        (still.low_m[there[other]], still.high_m[there[other]]),
+    )
     row, column = np.nonzero(meets)
-    posture, part, other = open_[row], moving[part[column]], there[other[column]]
+    posture, part, other = open_[row], outer[part[column]], there[other[column]]
     bounds = _bounds(
         (placed[posture, part], still.frames[other]),
-        (load.half_m[part], still.half_m[other]),
-        (load.radius_m[part], still.radius_m[other]),
+        (moving.half_m[part], still.half_m[other]),
+        (moving.radius_m[part], still.radius_m[other]),
         widest_m,
     )
     close = bounds < widest_m
     return _Rows(posture[close], part[close], other[close], bounds[close])
+
+
+def _overlap(a: tuple[Array, Array], b: tuple[Array, Array]) -> Flags:
+    """Return which boxes, given by their low and high corners, overlap."""
+    (low_a, high_a), (low_b, high_b) = a, b
+    out = (low_a[..., 0] <= high_b[..., 0]) & (low_b[..., 0] <= high_a[..., 0])
+    for k in (1, 2):
+        out &= (low_a[..., k] <= high_b[..., k]) & (low_b[..., k] <= high_a[..., k])
+    return np.asarray(out)
 
 
 def _bounds(

@@ -18,30 +18,44 @@ class EndRecord:
     Attributes:
         is_served: Some grasp has a clear posture there.
         nearest_m: How far the best grasp is out of reach; infinity while none was looked at.
-        is_never: No grasp had a posture, and each of these noes is proven.
         has_posture: Some grasp had a posture, clear or not.
-        poses: How many were looked at.
+        is_proven: Each "no" of the inverse kinematics is a proof.
+        poses: How many poses were solved; all grasps at once, or none.
     """
 
     is_served: bool = False
     nearest_m: float = np.inf
-    is_never: bool = True
     has_posture: bool = False
+    is_proven: bool = True
     poses: int = 0
     blame: Blame = field(default_factory=Blame)
 
+    @property
+    def is_never(self) -> bool:
+        """Whether it is proven that no grasp has a posture here."""
+        return self.poses > 0 and self.is_proven and not self.has_posture
+
     def note(self, rows: Postures) -> None:
-        """Take in the inverse kinematics of some grasps."""
+        """Take in the inverse kinematics of all grasps of a group."""
         has = rows.has()
         self.poses += len(has)
         self.has_posture |= bool(has.any())
-        self.is_never &= bool((rows.is_never & ~has).all())
+        self.is_proven &= bool((rows.is_never | has).all())
         if len(has):
             self.nearest_m = min(self.nearest_m, float(np.where(has, 0.0, rows.beyond_m).min()))
 
+    def join(self, other: EndRecord) -> None:
+        """Take in what is known of other grasps at this end."""
+        self.is_served |= other.is_served
+        self.has_posture |= other.has_posture
+        self.is_proven &= other.is_proven
+        self.nearest_m = min(self.nearest_m, other.nearest_m)
+        self.poses += other.poses
+        self.blame.note([other.blame.pairs])
+
     def refusal(self) -> NoIk | BlockedBy:
-        """Return why no grasp serves, once all were looked at."""
-        if self.has_posture:
+        """Return why no grasp serves; hands that are in the way were looked at first."""
+        if self.has_posture or not self.poses:
             return self.blame.refusal()
         beyond_m = self.nearest_m if self.is_never else 0.0
         return NoIk(

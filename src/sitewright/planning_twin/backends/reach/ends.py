@@ -1,4 +1,4 @@
-"""Ends of motions, many at once: the posture in contact, and the one at the pre-pose."""
+"""Ends of motions, many at once: the hand at tip poses, then the arm in the postures for them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.reach.arm_poses import Postures
 from sitewright.planning_twin.backends.reach.bench import ArmBench
 from sitewright.planning_twin.backends.reach.clearance import Around, Thresholds
-from sitewright.planning_twin.backends.reach.load import Load
+from sitewright.planning_twin.backends.reach.load import Load, Moving
 from sitewright.planning_twin.backends.whole_turns import Flags
 from sitewright.planning_twin.refusal import BlockedBy, NoIk
 from sitewright.planning_twin.scene import Pair
@@ -41,9 +41,9 @@ class End:
     """What is carried to an end of a motion, and what is near.
 
     Attributes:
-        world_T_piece: Of the carried piece in contact; None if none is carried.
         contact: Distances to keep in contact.
         free: Distances to keep at the pre-pose.
+        world_T_piece: Of the carried piece in contact; None if none is carried.
     """
 
     arm: ArmBench
@@ -54,12 +54,37 @@ class End:
     world_T_piece: Array | None = None
     blame: Blame = field(default_factory=Blame)
 
+    def piece_clear(self, way_m: Array | None = None) -> bool:
+        """Tell whether the carried piece is clear in contact, or a way off; so for every grasp."""
+        piece = self.load.piece()
+        if piece is None or self.world_T_piece is None:
+            return True
+        frame = self.world_T_piece.copy()
+        if way_m is not None:
+            frame[:3, 3] += way_m
+        thresholds = self.contact if way_m is None else self.free.padded()
+        return bool(self._is_clear(piece.moving, piece.placed(frame[None]), thresholds).all())
+
+    def hand_clear(self, world_T_tips: Array, way_m: Array | None = None) -> Flags:
+        """Return at which tip poses the hand is clear, whatever the arm's posture.
+
+        Args:
+            world_T_tips: m x 4 x 4, contact poses.
+            way_m: m x 3, from contact to pre-pose, to ask for that one instead.
+        """
+        tips = world_T_tips.copy()
+        if way_m is not None:
+            tips[:, :3, 3] += way_m
+        hand = self.load.hand()
+        thresholds = self.contact if way_m is None else self.free.padded()
+        return self._is_clear(hand.moving, hand.placed(tips), thresholds)
+
     def clear(self, rows: Postures) -> Flags:
-        """Return which postures in contact keep their distances."""
-        return self._is_clear(rows.q, np.zeros((len(rows.q), 3)), self.contact)
+        """Return in which postures in contact the arm is clear; the hand is not looked at."""
+        return self._arm_clear(rows.q, np.zeros((len(rows.q), 3)), self.contact)
 
     def leaves(self, rows: Postures, world_T_tips: Array, way_m: Array) -> Flags:
-        """Return which postures in contact have a clear pre-pose.
+        """Return which postures in contact have one at the pre-pose in which the arm is clear.
 
         Args:
             rows: Postures in contact.
@@ -70,15 +95,18 @@ class End:
         off[:, :3, 3] += way_m
         q, exists = self.arm.following(off, rows)
         out = exists.copy()
-        out[exists] = self._is_clear(q[exists], way_m[rows.pose[exists]], self.free.padded())
+        out[exists] = self._arm_clear(q[exists], way_m[rows.pose[exists]], self.free.padded())
         return out
 
-    def _is_clear(self, q: Array, shift_m: Array, thresholds: Thresholds) -> Flags:
+    def _arm_clear(self, q: Array, shift_m: Array, thresholds: Thresholds) -> Flags:
         if not len(q):
             return np.zeros(0, dtype=np.bool_)
-        placed = self.load.placed(q, self._pieces(shift_m))
-        clearance = self.arm.engines.clearance
-        found = clearance.too_near(self.load, placed, self.around, thresholds)
+        return self._is_clear(
+            self.load.moving, self.load.placed(q, self._pieces(shift_m)), thresholds
+        )
+
+    def _is_clear(self, moving: Moving, placed: Array, thresholds: Thresholds) -> Flags:
+        found = self.arm.engines.clearance.too_near(moving, placed, self.around, thresholds)
         self.blame.note(found)
         return np.array([not pairs for pairs in found], dtype=np.bool_)
 

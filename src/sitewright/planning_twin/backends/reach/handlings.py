@@ -9,16 +9,17 @@ import numpy as np
 
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
-from sitewright.planning_twin.backends.kinematic_chain import matrix_of
 from sitewright.planning_twin.backends.reach.bench import ArmBench, Bench
 from sitewright.planning_twin.backends.reach.end_record import EndRecord
+from sitewright.planning_twin.backends.reach.grasp_case import GraspCase
+from sitewright.planning_twin.backends.reach.grasp_end import GraspEnd, Hold
 from sitewright.planning_twin.backends.reach.grasp_set import way_of
-from sitewright.planning_twin.backends.reach.handling import GraspTrials, Hold
+from sitewright.planning_twin.backends.whole_turns import Flags
 from sitewright.planning_twin.reachability.answer import GraspWay, Handling, Refused
 from sitewright.planning_twin.reachability.question import ReachTarget
-from sitewright.planning_twin.refusal import NoGrasp, PayloadExceeded
+from sitewright.planning_twin.refusal import NoGrasp, NoIk, PayloadExceeded
 
-_NAMELESS = ComponentId("piece")
+_LIMITS = "every posture is outside the joint limits"
 _ALWAYS_ROUNDS = 3
 """So many offsets are looked at for every kind of grasp; more only while none serves."""
 
@@ -44,6 +45,10 @@ class _Found:
         return tuple(sorted(self.holds.values(), key=lambda h: h.group.grasps[h.grasp].cost))
 
 
+Goals = dict[int, GraspEnd]
+"""Ends at the target by identity of the group of grasps; they are alike for all pieces."""
+
+
 def handled(bench: Bench, arm: ArmBench, target: ReachTarget) -> Handled:
     """Try all kinds of grasps of the pieces that may become a target, the expected one first."""
     heavy = _too_heavy(arm, target)
@@ -51,18 +56,26 @@ def handled(bench: Bench, arm: ArmBench, target: ReachTarget) -> Handled:
         refused = Refused(where="both", refusal=heavy)
         return Handled(_handling(arm, target, refused=refused, never=(True, True)))
     first: Refused | None = None
-    for piece in target.task.candidates:
-        lying = target.world_T_piece[piece]
-        found = _tried(bench, arm, target, piece, lying)
-        if found.holds:
+    goals: Goals = {}
+    for piece in target.task.candidates or (None,):
+        if _cannot_be_placed(arm, target, piece, goals):
+            continue
+        found = _tried(bench, arm, target, piece, goals)
+        if found.holds and piece is not None:
             holds = found.in_order()
-            ways = tuple(way_of(h.group.grasps[h.grasp], h.insertion) for h in holds)
+            ways = tuple(way_of(h.group.grasps[h.grasp], h.way) for h in holds)
             return Handled(_handling(arm, target, piece=piece, ways=ways), holds)
+        lying = None if piece is None else target.world_T_piece[piece]
         first = first or _refused(arm, target, found, lying)
-    if first is None:
-        found = _tried(bench, arm, target, _NAMELESS, None)
-        first = _refused(arm, target, found, None)
-    return Handled(_handling(arm, target, refused=first, never=_never(arm, target)))
+    at_target, at_stock = _never(arm, target)
+    return Handled(
+        _handling(
+            arm,
+            target,
+            refused=at_target or at_stock or first,
+            never=(at_target is not None, at_stock is not None),
+        )
+    )
 
 
 def _handling(
@@ -86,45 +99,63 @@ def _handling(
     )
 
 
+def _cannot_be_placed(
+    arm: ArmBench, target: ReachTarget, piece: ComponentId | None, goals: Goals
+) -> bool:
+    """Tell whether another piece that lies on the same side was tried, and no grasp places it."""
+    lying = None if piece is None else target.world_T_piece[piece]
+    groups = arm.engines.groups(target.shape, arm.tool, lying)
+    known = [goals.get(id(g)) for g in groups]
+    return bool(known) and all(g is not None and not g.record.is_served for g in known)
+
+
 def _tried(
-    bench: Bench, arm: ArmBench, target: ReachTarget, piece: ComponentId, lying: Pose | None
+    bench: Bench, arm: ArmBench, target: ReachTarget, piece: ComponentId | None, goals: Goals
 ) -> _Found:
     found = _Found()
+    lying = None if piece is None else target.world_T_piece[piece]
     for group in bench.engines.groups(target.shape, arm.tool, lying):
-        trials = GraspTrials(
-            bench=bench,
-            arm=arm,
-            target=target,
-            piece=piece,
-            group=group,
-            lying=lying,
-            stock=found.stock,
-            goal=found.goal,
-        )
-        _search(trials, found)
+        case = GraspCase(bench, arm, target, group)
+        goal = goals.get(id(group))
+        if goal is None:
+            goal = goals[id(group)] = case.place_end(EndRecord())
+        stock = None if piece is None else case.pick_end(piece, found.stock)
+        _search(goal, stock, found)
+        found.goal.join(goal.record)
     return found
 
 
-def _search(trials: GraspTrials, found: _Found) -> None:
+def _search(goal: GraspEnd, stock: GraspEnd | None, found: _Found) -> None:
     """Go through the offsets of all kinds of grasps until each kind serves, or one does."""
-    group = trials.group
+    group = goal.group
+    ends = [e for e in (goal, stock) if e is not None]
     is_open = np.ones(len(group.kind), dtype=np.bool_)
     for number, all_kinds in enumerate(group.rounds()):
-        if number == 1 and is_open.any():
-            is_open &= trials.with_postures()
+        if number == 1:
+            _leave_hopeless(ends, is_open)
         grasps = all_kinds[is_open[all_kinds]]
         if not is_open.any() or (number >= _ALWAYS_ROUNDS and found.holds):
             return
-        if not len(grasps):
-            continue
-        is_picked = trials.at_stock(grasps)
-        placed = grasps if number == 0 else grasps[is_picked]
-        picked = set(grasps[is_picked].tolist())
-        for hold in trials.at_target(placed) if len(placed) else ():
+        picked = set(grasps.tolist()) if stock is None else {h.grasp for h in stock.holds(grasps)}
+        if number:
+            grasps = np.array([g for g in grasps.tolist() if g in picked], dtype=np.intp)
+        for hold in goal.holds(grasps):
             if hold.grasp in picked:
                 kind = int(group.kind[hold.grasp])
                 found.holds.setdefault((group.width_m, kind), hold)
                 is_open[group.kind == kind] = False
+    if not found.holds:
+        _leave_hopeless(ends, is_open)
+
+
+def _leave_hopeless(ends: Iterable[GraspEnd], is_open: Flags) -> None:
+    """Close the grasps that have no room for the hand at some end, or no posture."""
+    for end in ends:
+        left = np.flatnonzero(is_open)
+        is_open[left] = end.with_hands(left)
+    for end in ends:
+        if is_open.any():
+            is_open &= end.with_postures()
 
 
 def _refused(arm: ArmBench, target: ReachTarget, found: _Found, lying: Pose | None) -> Refused:
@@ -165,20 +196,27 @@ def _too_heavy(arm: ArmBench, target: ReachTarget) -> PayloadExceeded | None:
     return None
 
 
-def _never(arm: ArmBench, target: ReachTarget) -> tuple[bool, bool]:
+def _never(arm: ArmBench, target: ReachTarget) -> tuple[Refused | None, Refused | None]:
     """Return what is proven: no grasp of any side reaches the target; nor any of the pieces.
 
     A piece that was laid down somewhere else first could be taken on another side.
     """
-    lying = target.world_T_piece.values()
-    at_target = _is_out_of_reach(arm, target, [target.task.world_T_target])
-    return at_target, bool(lying) and _is_out_of_reach(arm, target, lying)
+    if not arm.engines.groups(target.shape, arm.tool, None):
+        no = Refused(where="both", refusal=_too_wide(arm, target, is_proven=True))
+        return no, no
+    at_target = _far(arm, target, [target.task.world_T_target], "target")
+    return at_target, _far(arm, target, target.world_T_piece.values(), "stock")
 
 
-def _is_out_of_reach(arm: ArmBench, target: ReachTarget, at: Iterable[Pose]) -> bool:
+def _far(arm: ArmBench, target: ReachTarget, at: Iterable[Pose], where: str) -> Refused | None:
+    groups = arm.engines.groups(target.shape, arm.tool, None)
+    nearest_m: list[float] = []
     for pose in at:
-        for group in arm.engines.groups(target.shape, arm.tool, None):
-            rows = arm.postures(matrix_of(pose) @ group.piece_T_tip)
-            if not rows.is_never.all():
-                return False
-    return True
+        beyond_m = arm.out_of_reach_m(groups, pose)
+        if beyond_m is None:
+            return None
+        nearest_m.append(beyond_m)
+    if not nearest_m:
+        return None
+    no = NoIk(is_proven=True, extension_m=min(nearest_m), tried=len(nearest_m), reason=_LIMITS)
+    return Refused(where=where, refusal=no)

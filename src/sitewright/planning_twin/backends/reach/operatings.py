@@ -14,6 +14,7 @@ from sitewright.planning_twin.backends.reach.bench import ArmBench, Bench
 from sitewright.planning_twin.backends.reach.clearance import Around, Thresholds
 from sitewright.planning_twin.backends.reach.end_record import EndRecord
 from sitewright.planning_twin.backends.reach.ends import End
+from sitewright.planning_twin.backends.reach.stage import Stage, Way
 from sitewright.planning_twin.backends.whole_turns import Flags
 from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.reachability.answer import Operating, Refused
@@ -86,8 +87,11 @@ def _serving(
         free=Thresholds(clearance_m=bench.cell.clearance_m),
         blame=record.blame,
     )
-    rows = rows.only(end.clear(rows))
-    serves = rows.only(end.leaves(rows, starts, back_m)).has()
+    stage = Stage(end, (Way(0, back_m),))
+    has_room = stage.hand_serves(starts)
+    rows = rows.only(has_room[rows.pose])
+    rows = rows.only(stage.in_contact(rows))
+    serves = rows.only(stage.way_of(rows, starts) >= 0).has()
     for shift_m in _strokes(spot):
         serves &= _clear_at(end, starts, shift_m)
     for touch, is_serving in zip(touches, serves, strict=True):
@@ -108,7 +112,7 @@ def _clear_at(end: End, starts: Array, shift_m: Array) -> Flags:
     shifted = starts.copy()
     shifted[:, :3, 3] += shift_m
     rows = end.arm.postures(shifted)
-    return rows.only(end.clear(rows)).has()
+    return rows.only(end.clear(rows)).has() & end.hand_clear(shifted)
 
 
 def _standing(bench: Bench, arm: ArmBench, target: ReachTarget) -> Flags:

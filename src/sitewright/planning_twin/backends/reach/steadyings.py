@@ -10,7 +10,7 @@ from sitewright.foundation.ids import OperationId, RobotId
 from sitewright.planning_twin.backends.reach.bench import Bench
 from sitewright.planning_twin.backends.reach.clearance import Around
 from sitewright.planning_twin.backends.reach.drivers import drivers
-from sitewright.planning_twin.backends.reach.handling import Hold
+from sitewright.planning_twin.backends.reach.grasp_end import Hold
 from sitewright.planning_twin.backends.reach.operatings import operating
 from sitewright.planning_twin.backends.reach.surroundings import placed_parts
 from sitewright.planning_twin.fastening import Spot
@@ -79,11 +79,11 @@ def _fasteners(target: ReachTarget) -> list[Spot]:
 def _holder(hold: Hold) -> Around:
     """Return the arm that holds, standing still; the piece stands at the target already."""
     load = hold.arm.load(hold.group.width_m)
-    (frames,) = load.placed(hold.q[None])
+    (frames,), moving = load.placed(hold.q[None]), load.moving
     still = placed_parts(
-        list(zip(load.names, load.parts, frames, strict=True)),
-        appears=np.zeros(len(load.parts), dtype=np.intp),
-        vanishes=np.full(len(load.parts), FOREVER, dtype=np.intp),
-        docked=("",) * len(load.parts),
+        list(zip(moving.names, moving.parts, frames, strict=True)),
+        appears=np.zeros(len(moving.parts), dtype=np.intp),
+        vanishes=np.full(len(moving.parts), FOREVER, dtype=np.intp),
+        docked=("",) * len(moving.parts),
     )
-    return Around(still, np.ones(len(load.parts), dtype=np.bool_))
+    return Around(still, np.ones(len(moving.parts), dtype=np.bool_))
