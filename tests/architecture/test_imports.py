@@ -21,7 +21,7 @@ PURE_PARTS = (
     "central_controller",
     "interaction_twin",
 )
-HEAVY = {"numpy", "pydantic", "mujoco", "coal", "pinocchio", "roboplan", "apsw", "scipy", "rich"}
+HEAVY = {"numpy", "pydantic", "mujoco", "coal", "pinocchio", "apsw", "scipy", "rich"}
 
 _LOAD_EACH_IN_A_FORK = """
 import importlib, json, os, sys, traceback

@@ -15,9 +15,9 @@ from sitewright.foundation.pose import Pose, translation
 from sitewright.planning_twin.backends.distances import EPS_M
 from sitewright.planning_twin.backends.mujoco_cell import MujocoCells
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
-from sitewright.planning_twin.backends.roboplan_search import RoboplanSearch
 from sitewright.planning_twin.backends.search_scene import SearchScenes
 from sitewright.planning_twin.backends.twin import make_backends
+from sitewright.planning_twin.backends.two_trees import TwoTrees
 from sitewright.planning_twin.free_motion import plan_free_motion
 from sitewright.planning_twin.motion import (
     Agreement,
@@ -67,18 +67,36 @@ def timed(*segments: PathSegment) -> TimedPath:
 def test_three_engines_agree_on_random_postures() -> None:
     touching = replace(SCENE, clearance_m=0.0)
     proofs = ProofScenes()
-    search, cell = SearchScenes(proofs).of(touching, 0.0), MujocoCells(proofs).of(touching)
-    standing = proofs.of(touching).layout.standing_of[A].names
+    search, cell = SearchScenes(proofs).of(touching, 0.0, (A,)), MujocoCells(proofs).of(touching)
     verdicts: Counter[tuple[bool, ...]] = Counter()
-    search.leave_out(standing)
     for q in random_postures(400, seed=1):
         verdicts[
             bool(BACKENDS.collision.violations(touching, A, q, {})),
-            bool(search.roboplan.hasCollisions(search.posture(touching, {A: q}))),
+            search.is_hit(search.posture({A: q})),
             any(d < 0.0 for _, d in cell.contacts(A, np.array(q))),
         ] += 1
     assert set(verdicts) == {(True,) * 3, (False,) * 3}, verdicts
     assert min(verdicts.values()) > 30
+
+
+@pytest.mark.parametrize("margin_m", [0.011, 0.05])
+def test_the_search_scene_keeps_a_margin_exactly(margin_m: float) -> None:
+    proofs = ProofScenes()
+    search = SearchScenes(proofs).of(SCENE, margin_m, (A,))
+    table = proofs.of(SCENE).layout.pairs_of[A]
+    by_design = {table.names[n] for n in table.name[table.is_neighbour]}
+    search.leave_out(by_design)
+    off = dict.fromkeys(by_design, -np.inf)
+    verdicts: Counter[bool] = Counter()
+    for q in random_postures(300, seed=5):
+        hit = search.is_hit(search.posture({A: q}))
+        tight, wide = (
+            bool(BACKENDS.collision.violations(replace(SCENE, clearance_m=m), A, q, off))
+            for m in (margin_m - 2.0 * EPS_M, margin_m + EPS_M)
+        )
+        assert tight <= hit <= wide
+        verdicts[hit] += 1
+    assert min(verdicts[True], verdicts[False]) > 30
 
 
 def test_mujoco_sees_the_same_pairs_within_the_clearance() -> None:
@@ -137,8 +155,8 @@ def test_a_held_body_far_from_the_flange_is_where_it_is_in_the_search_too() -> N
     for shift, is_hit in ((0.0, True), (0.09, True), (0.25, False)):
         wall = box("wall", (0.1, 0.1, 0.1), translation(0.0, shift, 0.0) @ Pose(place.position_m))
         scene = one_arm(far, wall, clearance_m=0.0)
-        search = SearchScenes(proofs).of(scene, 0.0)
-        assert search.roboplan.hasCollisions(search.posture(scene, {})) is is_hit
+        search = SearchScenes(proofs).of(scene, 0.0, (A,))
+        assert search.is_hit(search.posture({})) is is_hit
         assert bool(BACKENDS.collision.violations(scene, A, HOME, {})) is is_hit
 
 
@@ -169,10 +187,10 @@ def test_a_peg_in_a_deep_tube_ends_with_the_nodes_and_repeats() -> None:
     ]
     request = MotionRequest(robot=A, goal_rad=(1.0, *HOME[1:]))
     scene = one_arm(peg, *walls)
-    found = RoboplanSearch(ProofScenes()).plan(scene, request, seed=0)
+    found = TwoTrees(ProofScenes()).plan(scene, request, seed=0)
     assert isinstance(found, NoPath), found
     assert found.is_reproducible
-    assert found == RoboplanSearch(ProofScenes()).plan(scene, request, seed=0)
+    assert found == TwoTrees(ProofScenes()).plan(scene, request, seed=0)
 
 
 def test_a_search_that_needs_more_nodes_says_how_many_it_had() -> None:
@@ -249,12 +267,11 @@ def test_scenes_with_moved_bodies_and_postures_are_not_confused() -> None:
     searches, cells = SearchScenes(proofs), MujocoCells(proofs)
     answers = []
     for scene in scenes:
-        search, cell = searches.of(scene, 0.0), cells.of(scene)
+        search, cell = searches.of(scene, 0.0, (A,)), cells.of(scene)
         standing = proofs.of(scene).layout.standing_of[A].names
         row = []
-        search.leave_out(standing)
         for q in random_postures(60, seed=8):
-            hit = bool(search.roboplan.hasCollisions(search.posture(scene, {A: q})))
+            hit = search.is_hit(search.posture({A: q}))
             seen = any(d < 0.0 and p not in standing for p, d in cell.contacts(A, np.array(q)))
             assert hit == seen
             row.append(hit)

@@ -42,7 +42,17 @@ COMMANDS = {
     "doctor",
     "version",
 }
-HEAVY = {"numpy", "pydantic", "mujoco", "coal", "rich", "apsw", "roboplan", "subprocess", "asyncio"}
+HEAVY = {
+    "numpy",
+    "pydantic",
+    "mujoco",
+    "coal",
+    "rich",
+    "apsw",
+    "pinocchio",
+    "subprocess",
+    "asyncio",
+}
 
 
 def called(*arguments: str | Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:

@@ -14,8 +14,6 @@ _LIGHT = """
 import sys
 from sitewright.planning_twin.backends.twin import make_backends
 from sitewright.planning_twin.backends.extensions import extension
-import roboplan.core
-rrt = extension("roboplan.rrt", "_rrt_ext", role="search")
 opw = extension("py_opw_kinematics", "_internal", role="kinematics")
 make_backends()
 heavy = {"scipy", "trimesh", "viser", "matplotlib"} & set(sys.modules)

@@ -15,12 +15,12 @@ from sitewright.errors import BackendMissingError
 def extension(package: str, name: str, *, role: str) -> Any:  # noqa: ANN401 - a compiled module
     """Return a package's compiled module, registered so that the package itself finds it later.
 
-    ``roboplan.rrt`` imports a viewer and ``py_opw_kinematics`` imports scipy, which takes
-    seconds; their compiled modules take milliseconds.
+    ``py_opw_kinematics`` imports scipy, which takes most of a second; its compiled module takes
+    milliseconds.
 
     Args:
-        package: Where the module lies, e.g. ``roboplan.rrt``.
-        name: Its name there, e.g. ``_rrt_ext``.
+        package: Where the module lies, e.g. ``py_opw_kinematics``.
+        name: Its name there, e.g. ``_internal``.
         role: What it is needed for, for the message if it is missing.
     """
     full_name = f"{package}.{name}"

@@ -18,9 +18,6 @@ from sitewright.planning_twin.refusal import BlockedBy
 from sitewright.planning_twin.scene import Pair, SceneSnapshot
 from sitewright.robot_team.description import Joints
 
-_CORNER_PADS = 4.0
-"""Corners of padded parts stand out by up to two pads each."""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SearchEnds:
@@ -83,30 +80,21 @@ class EndsCheck:
         parts of one arm with a single joint between them are left out too, since they are near by
         design; other near pairs only if they touch at the start, or at every goal.
         """
-
-        def is_hit(q_rad: Joints) -> bool:
-            moved = by_robot(scene, request.robots, q_rad)
-            return bool(search.roboplan.hasCollisions(search.posture(scene, moved)))
-
-        moving, standing = tables_of(self._proofs.of(scene).layout, request.robots)
-        declared = {p for p, tau in request.threshold_m.items() if tau < scene.clearance_m}
-        off = {*standing.names, *declared}
-        near: set[Pair] = set()
+        moving, _ = tables_of(self._proofs.of(scene).layout, request.robots)
+        off = {p for p, tau in request.threshold_m.items() if tau < scene.clearance_m}
         search.leave_out(off)
-        hit = [q for q in (ends.start, *ends.goals) if is_hit(q)]
-        if hit:
-            joined = {moving.names[n] for n in moving.name[moving.is_neighbour]}
-            off |= joined & self._close(scene, request, hit, pad_m)
-            search.leave_out(off)
-            free = tuple(q for q in ends.goals if not (q in hit and is_hit(q)))
-            ends = replace(ends, goals=free or ends.goals[:1])
-            still = [q for q in (ends.start, *(() if free else ends.goals)) if is_hit(q)]
-            close = self._close(scene, request, still, pad_m) - off
-            for pair in close:
-                search.leave_out(off | close - {pair})
-                if any(map(is_hit, still)):
-                    near.add(pair)
-            search.leave_out(off | near)
+        close_at = {
+            q: self._close(scene, request, q, pad_m)
+            for q in (ends.start, *ends.goals)
+            if search.is_hit(search.posture(by_robot(scene, request.robots, q)))
+        }
+        joined = {moving.names[n] for n in moving.name[moving.is_neighbour]}
+        off |= joined & _all(close_at.values())
+        free = tuple(q for q in ends.goals if not close_at.get(q, set()) - off)
+        ends = replace(ends, goals=free or ends.goals[:1])
+        still = (ends.start, *(() if free else ends.goals))
+        near = _all(close_at.get(q, set()) for q in still) - off
+        search.leave_out(off | near)
         return SearchQuestion(
             search=search,
             space=SearchSpace(search, scene, request.robots, request.step_rad),
@@ -116,12 +104,12 @@ class EndsCheck:
         )
 
     def _close(
-        self, scene: SceneSnapshot, request: MotionRequest, ends: Iterable[Joints], pad_m: float
+        self, scene: SceneSnapshot, request: MotionRequest, end: Joints, pad_m: float
     ) -> set[Pair]:
-        """Return the pairs whose pads could touch at some ends."""
-        wide = replace(scene, clearance_m=_CORNER_PADS * pad_m)
+        """Return the pairs whose pads touch at an end."""
+        wide = replace(scene, clearance_m=2.0 * pad_m)
         off = dict.fromkeys(request.threshold_m, -np.inf)
-        return {p for q in ends for p in self._violations(wide, request, q, off)}
+        return set(self._violations(wide, request, end, off))
 
     def _violations(
         self,
@@ -140,6 +128,10 @@ class EndsCheck:
         for robot, mine in posture.items():
             found += self._check.violations(scene, robot, mine, threshold_m)
         return tuple(sorted(set(found)))
+
+
+def _all(sets: Iterable[set[Pair]]) -> set[Pair]:
+    return {pair for pairs in sets for pair in pairs}
 
 
 def by_robot(

@@ -35,40 +35,30 @@ class SearchSpace:
         robots: tuple[RobotId, ...],
         step_rad: float,
     ) -> None:
-        from roboplan.core import hasCollisionsAlongPath
-
-        self._roboplan = search.roboplan
-        self._is_hit_between = hasCollisionsAlongPath
+        self._search = search
         self._step_rad = step_rad
-        self._full = search.posture(scene, {})
-        self._columns = np.array([search.columns_of(r) for r in robots], dtype=np.intp).ravel()
-        self._tips = [search.tip_of(scene, r) for r in robots]
-        self._counts = [len(search.joints_of(r)) for r in robots]
+        self._full = search.posture({})
+        self._columns = np.concatenate([search.columns_of(r) for r in robots])
+        self._robots = robots
+        self._counts = [len(search.columns_of(r)) for r in robots]
         joints = [j for r in robots for j in scene.robots[r].description.movable_joints]
         self.lower = np.array([j.lower_rad for j in joints])
         self.upper = np.array([j.upper_rad for j in joints])
         speed = np.array([j.velocity_rad_s or 1.0 for j in joints])
+        self._speed = speed
         self.weights = speed.min() / speed
         self.lines = 0
 
     def is_free(self, q: Array) -> bool:
         """Tell whether a posture is inside the limits and touches nothing."""
-        return self._is_inside(q) and not self._roboplan.hasCollisions(self._posture(q))
+        return self._is_inside(q) and not self._search.is_hit(self._posture(q))
 
     def is_free_line(self, a: Array, b: Array) -> bool:
         """Tell whether no sample of a line touches anything; `a` is known to be free."""
         self.lines += 1
         if not self._is_inside(b):
             return False
-        start, end = self._posture(a), self._posture(b)
-        return not self._is_hit_between(
-            self._roboplan,
-            start,
-            end,
-            self._step_rad,
-            True,  # noqa: FBT003 - halves first: a blocked line is found out sooner
-            True,  # noqa: FBT003 - the end too
-        )
+        return not self._search.is_hit_between(self._posture(a), self._posture(b), self._step_rad)
 
     def distances(self, points: Array, q: Array) -> Array:
         """Return how far some postures are from another one, squared."""
@@ -79,15 +69,18 @@ class SearchSpace:
         """Return how far two postures are apart."""
         return float(np.linalg.norm((a - b) * self.weights))
 
+    def duration_s(self, a: Array, b: Array) -> float:
+        """Return how long a line takes at full speed."""
+        return float((np.abs(b - a) / self._speed).max())
+
     @property
     def tips(self) -> range:
         """Numbers of the robots that move."""
-        return range(len(self._tips))
+        return range(len(self._robots))
 
     def tip_axes(self, tip: int, q: Array) -> Array:
         """Return the axes of a robot's tip frame in the world, row by row."""
-        frame = self._roboplan.forwardKinematics(self._posture(q), self._tips[tip])
-        return np.asarray(frame[:3, :3].T)
+        return np.asarray(self._search.tip(self._robots[tip], self._posture(q))[:3, :3].T)
 
     def straight(self, tip: int, q: Array, direction: Array, length_m: float) -> Iterator[Array]:
         """Yield free postures along a straight line of one robot's tip, until something is hit.
@@ -114,10 +107,9 @@ class SearchSpace:
         return np.asarray(q + whole)
 
     def _rates(self, tip: int, q: Array, shift: Array) -> Array:
-        jacobian = self._roboplan.computeFrameJacobian(self._posture(q), self._tips[tip], False)  # noqa: FBT003
         first = sum(self._counts[:tip])
         mine = slice(first, first + self._counts[tip])
-        rows = jacobian[:, self._columns[mine]]
+        rows = self._search.tip_rates(self._robots[tip], self._posture(q))
         twist = np.concatenate((shift, np.zeros(3)))
         square = rows @ rows.T + _DAMPING**2 * np.eye(6)
         rates = np.zeros_like(q)

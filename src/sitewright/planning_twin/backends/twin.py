@@ -7,8 +7,8 @@ from sitewright.planning_twin.backends.collision_check import CoalCollisionCheck
 from sitewright.planning_twin.backends.mujoco_crosscheck import MujocoCrossCheck
 from sitewright.planning_twin.backends.opw_kinematics import OpwKinematics
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
-from sitewright.planning_twin.backends.roboplan_search import RoboplanSearch
 from sitewright.planning_twin.backends.ruckig_timer import RuckigTimer
+from sitewright.planning_twin.backends.two_trees import TwoTrees
 from sitewright.planning_twin.motion import PlanningBackends
 
 
@@ -18,7 +18,7 @@ def make_backends() -> PlanningBackends:
     return PlanningBackends(
         kinematics=OpwKinematics(),
         collision=CoalCollisionCheck(proofs),
-        planner=RoboplanSearch(proofs),
+        planner=TwoTrees(proofs),
         certifier=ConservativeAdvancement(proofs),
         timer=RuckigTimer(),
         cross_check=MujocoCrossCheck(proofs),

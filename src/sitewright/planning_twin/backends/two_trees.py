@@ -1,4 +1,4 @@
-"""Free paths by two trees and shortcutting in the padded scene."""
+"""Free paths by two trees and shortcuts in the scene with margins."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from sitewright.planning_twin.backends.pad_exit import way_out_of_pads
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.search_ends import EndsCheck, SearchEnds, SearchQuestion
 from sitewright.planning_twin.backends.search_scene import SearchScenes
+from sitewright.planning_twin.backends.shortcuts import quicker
 from sitewright.planning_twin.backends.tree_search import found_path
 from sitewright.planning_twin.motion import MotionPlanner, MotionRequest, PathSegment
 from sitewright.planning_twin.refusal import BlockedBy, NoPath
@@ -20,12 +21,11 @@ from sitewright.planning_twin.scene import SceneSnapshot
 from sitewright.robot_team.description import Joints
 
 _PAD_RESERVE_M = 0.0005
-_SHORTCUTS = 200
 _LINES_PER_NODE = 4
 """A node of the budget pays for so many lines, whether they are free or not."""
 
 
-class RoboplanSearch(MotionPlanner):
+class TwoTrees(MotionPlanner):
     """Searches paths; the certificate judges them.
 
     The ends are checked first, by exact distances against the clearance. Pairs that are
@@ -58,7 +58,7 @@ class RoboplanSearch(MotionPlanner):
         pad_m = request.pad_m
         if pad_m is None:
             pad_m = scene.clearance_m / 2.0 + _PAD_RESERVE_M
-        search = self._scenes.of(scene, pad_m)
+        search = self._scenes.of(scene, 2.0 * pad_m, request.robots)
         return self._ends.question(scene, search, request, ends, pad_m)
 
     def _path_out_of_pads(
@@ -102,23 +102,5 @@ def _path(
         return NoPath(nodes=request.max_nodes, seeds=(seed,), reason="no path within the nodes")
     goal = _joints(found[-1])
     if request.is_shortcut:
-        found = _shortened(question, request, found, seed)
+        found = quicker(question.space, found, seed)
     return (ends.start, *map(_joints, found[1:-1]), goal)
-
-
-def _shortened(
-    question: SearchQuestion, request: MotionRequest, path: list[Array], seed: int
-) -> list[Array]:
-    from roboplan.core import JointPath, PathShortcutter, PathShortcuttingOptions
-
-    search = question.search
-    options = PathShortcuttingOptions(
-        group_name=search.group_of(request.robots),
-        max_step_size=request.step_rad,
-        max_iters=_SHORTCUTS,
-        seed=seed,
-    )
-    long = JointPath()
-    long.joint_names = [j for r in request.robots for j in search.joints_of(r)]
-    long.positions = path
-    return list(PathShortcutter(search.roboplan, options).shortcut(long).positions)
