@@ -32,6 +32,7 @@ COMMANDS = {
     "infer",
     "explain",
     "graph",
+    "layout",
     "plan",
     "show",
     "run",

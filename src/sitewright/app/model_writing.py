@@ -46,7 +46,7 @@ def write_changed(folder: Path, data: bytes, before: BuildingModel, after: Build
     text = laid_out(document)
     require_readable(text, after)
     with locked(folder / "runs" / "lock", "The project"):
-        _refuse_open_run(folder, before)
+        refuse_open_run(folder, before)
         if file.read_bytes() != data:
             raise ProjectError(f"{file} was changed meanwhile. Try again.")
         write_whole(folder / BACKUP, data)
@@ -64,7 +64,8 @@ def require_readable(text: str, expected: BuildingModel) -> None:
         raise SitewrightError(f"The completed model does not survive writing: {where}.")
 
 
-def _refuse_open_run(folder: Path, design: BuildingModel) -> None:
+def refuse_open_run(folder: Path, design: BuildingModel) -> None:
+    """Raise `OpenRunError` if a run of the project is not finished."""
     newest = newest_run(folder / "runs")
     if newest is None:
         return

@@ -15,7 +15,7 @@ from sitewright.central_controller.ports import SiteContext
 from sitewright.central_controller.site_state import PlacedPiece
 from sitewright.central_controller.situation import task_of
 from sitewright.construction_graph.build import graph_of
-from sitewright.construction_graph.graph import ConstructionGraph
+from sitewright.construction_graph.graph import ConstructionGraph, MaterialNode
 from sitewright.construction_graph.supply import Supplied, supplied_in_order
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import Pose
@@ -96,7 +96,13 @@ def _target(
         task=replace(task, placed=None),
         world_T_piece={p: lying[p] for p in pieces},
         waits_for=supplied.waits_for,
+        place=_place(graph, supplied),
     )
+
+
+def _place(graph: ConstructionGraph, supplied: Supplied) -> str:
+    nodes = (graph.node_by_id[p] for p in supplied.accessible[:1])
+    return next((n.place for n in nodes if isinstance(n, MaterialNode)), "")
 
 
 def _shape(model: BuildingModel, component: Component) -> PieceShape:

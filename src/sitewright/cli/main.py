@@ -14,6 +14,7 @@ from sitewright.cli.export_commands import export
 from sitewright.cli.failure import failed
 from sitewright.cli.import_command import import_
 from sitewright.cli.infer_commands import explain, infer
+from sitewright.cli.layout_command import layout
 from sitewright.cli.plan_commands import graph, plan, show
 from sitewright.cli.project_commands import new
 from sitewright.cli.run_commands import demo, report, resolve, run
@@ -40,6 +41,7 @@ for _command in (
     infer,
     explain,
     graph,
+    layout,
     plan,
     show,
     run,

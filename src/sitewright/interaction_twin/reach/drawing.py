@@ -88,7 +88,6 @@ class Spotted:
 class Drawing:
     """Everything of a cell, the lowest first."""
 
-    title: str
     fixtures: tuple[Drawn, ...]
     zones: tuple[Drawn, ...]
     stock: tuple[Drawn, ...]
@@ -98,14 +97,13 @@ class Drawing:
     places: Mapping[str, Vector] = field(default_factory=dict)
 
 
-def drawing_of(report: ReachReport, labels: Labels, title: str) -> Drawing:
+def drawing_of(report: ReachReport, labels: Labels) -> Drawing:
     """Return what is to be drawn of a reach check."""
     cell, bodies = report.question.cell, report.question.bodies
     placed: dict[str, Outline] = {
         b.id: outline_of(b.shape, b.world_T_body) for b in bodies if not b.docked
     }
     return Drawing(
-        title=title,
         fixtures=tuple(_fixture(placed[f], f) for f in cell.fixture_by_id),
         zones=tuple(
             Drawn(outline=placed[z], look=_ZONE, hint=z, opacity=0.18, is_zone=True)

@@ -9,6 +9,7 @@ from sitewright.foundation.ids import ComponentId, EndEffectorId, OperationId, R
 from sitewright.foundation.pose import Vector
 from sitewright.planning_twin.reachability.question import ReachQuestion
 from sitewright.planning_twin.refusal import Refusal
+from sitewright.planning_twin.scene import Pair
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,6 +115,14 @@ class ReachSphere:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class BlockedHome:
+    """A robot whose home, or every parking posture, is too near to what stands there, ever."""
+
+    robot: RobotId
+    pairs: tuple[Pair, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ReachAnswer:
     """Everything that was found, in construction order."""
 
@@ -121,11 +130,18 @@ class ReachAnswer:
     operatings: tuple[Operating, ...] = ()
     steadyings: tuple[Steadying, ...] = ()
     spheres: tuple[ReachSphere, ...] = ()
+    homes: tuple[BlockedHome, ...] = ()
 
 
 class ReachCheck(Protocol):
     """Looks at all ends of all motions of a model; no paths are searched."""
 
-    def answer(self, question: ReachQuestion) -> ReachAnswer:
-        """Return who can do what in which way."""
+    def answer(self, question: ReachQuestion, *, is_brief: bool = False) -> ReachAnswer:
+        """Return who can do what in which way.
+
+        Args:
+            question: The model in its cell.
+            is_brief: Only look for the first way of each thing, and for the first robot that can
+                do it; what cannot be done is looked at as thoroughly as ever.
+        """
         ...

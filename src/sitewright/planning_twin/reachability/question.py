@@ -46,6 +46,7 @@ class ReachTarget:
             bodies that were built before have the names of their targets.
         world_T_piece: Where its candidates lie.
         waits_for: Targets that must be built before.
+        place: Stock place at which its first candidate lies; empty if there is none.
     """
 
     number: int
@@ -53,6 +54,7 @@ class ReachTarget:
     task: Task
     world_T_piece: Mapping[ComponentId, Pose] = field(default_factory=dict)
     waits_for: tuple[ComponentId, ...] = ()
+    place: str = ""
 
     @property
     def id(self) -> ComponentId:

@@ -126,7 +126,9 @@ def _of_handling(handling: Handling) -> str:
     if refused is None:
         return f"{handling.robot}: can"
     where = "" if refused.where == "both" else f" at the {refused.where}"
-    return f"{handling.robot}{where}: {in_words(refused.refusal)}"
+    is_whole = handling.never_at_target or handling.never_at_stock
+    only = " as the piece lies" if is_proof(refused.refusal) and not is_whole else ""
+    return f"{handling.robot}{where}: {in_words(refused.refusal)}{only}"
 
 
 def _operation_noes(

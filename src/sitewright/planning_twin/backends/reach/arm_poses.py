@@ -75,6 +75,19 @@ class ArmPoses:
             case _:
                 return _one_by_one(self._solver, base_T_tips, near)
 
+    def quick(self, base_T_tips: Array) -> Postures:
+        """Return postures for a guess: some may be missed, and nothing is proven.
+
+        Of an arm without a closed form, whatever is not too far counts as reached.
+        """
+        match self._solver:
+            case OpwSolver():
+                return _quickly(self._solver, base_T_tips)
+            case RailSolver():
+                return _on_rails(self._solver, base_T_tips)
+            case _:
+                return _within_ball(self._solver, base_T_tips)
+
     def following(self, base_T_tips: Array, near: Postures) -> tuple[Array, Flags]:
         """Return, for each row of postures, the one for another pose that is nearest to it.
 
@@ -146,6 +159,23 @@ def _branches(solver: OpwSolver, base_T_tips: Array) -> Postures:
     beyond_m[left], is_never[left] = more.beyond_m, more.is_never
     q, pose = np.concatenate((plain.q, more.q)), np.append(plain.pose, left[more.pose])
     return Postures(q, pose, beyond_m, is_never)
+
+
+def _quickly(solver: OpwSolver, base_T_tips: Array) -> Postures:
+    beyond_m = solver.too_far_m(base_T_tips)
+    near = np.flatnonzero(beyond_m <= _RESERVE_M)
+    found = _inside_limits(solver.chain, *solver.plain_slots(base_T_tips[near]))
+    beyond_m[near] = found.beyond_m
+    return Postures(found.q, near[found.pose], beyond_m, np.zeros(len(base_T_tips), dtype=np.bool_))
+
+
+def _within_ball(solver: Solver, base_T_tips: Array) -> Postures:
+    centres, radius_m = shoulder_ball(solver)
+    away_m = np.linalg.norm(base_T_tips[:, :3, 3] - centres[0], axis=1)
+    beyond_m = np.maximum(0.0, away_m - radius_m)
+    near = np.flatnonzero(beyond_m == 0.0)
+    q = np.zeros((len(near), solver.chain.joints))
+    return Postures(q, near, beyond_m, np.zeros(len(base_T_tips), dtype=np.bool_))
 
 
 def _inside_limits(

@@ -40,6 +40,10 @@ class Engines:
         """Return the inverse kinematics of an arm."""
         return ArmPoses(self._solver_of(description))
 
+    def solver(self, description: Description) -> Solver:
+        """Return how an arm's inverse kinematics are solved."""
+        return self._solver_of(description)
+
     def arm(self, description: Description) -> ArmModel:
         """Return the compiled arm."""
         return self._arm_of(description)

@@ -49,8 +49,15 @@ Goals = dict[int, GraspEnd]
 """Ends at the target by identity of the group of grasps; they are alike for all pieces."""
 
 
-def handled(bench: Bench, arm: ArmBench, target: ReachTarget) -> Handled:
-    """Try all kinds of grasps of the pieces that may become a target, the expected one first."""
+def handled(bench: Bench, arm: ArmBench, target: ReachTarget, *, is_brief: bool = False) -> Handled:
+    """Try all kinds of grasps of the pieces that may become a target, the expected one first.
+
+    Args:
+        bench: The cell.
+        arm: Robot and gripper.
+        target: What is to be placed.
+        is_brief: Stop at the first way, and prove nothing where there is none.
+    """
     heavy = _too_heavy(arm, target)
     if heavy is not None:
         refused = Refused(where="both", refusal=heavy)
@@ -60,13 +67,15 @@ def handled(bench: Bench, arm: ArmBench, target: ReachTarget) -> Handled:
     for piece in target.task.candidates or (None,):
         if _cannot_be_placed(arm, target, piece, goals):
             continue
-        found = _tried(bench, arm, target, piece, goals)
+        found = _tried(bench, arm, target, piece, goals, is_brief=is_brief)
         if found.holds and piece is not None:
             holds = found.in_order()
             ways = tuple(way_of(h.group.grasps[h.grasp], h.way) for h in holds)
             return Handled(_handling(arm, target, piece=piece, ways=ways), holds)
         lying = None if piece is None else target.world_T_piece[piece]
         first = first or _refused(arm, target, found, lying)
+    if is_brief:
+        return Handled(_handling(arm, target, refused=first))
     at_target, at_stock = _never(arm, target)
     return Handled(
         _handling(
@@ -110,7 +119,13 @@ def _cannot_be_placed(
 
 
 def _tried(
-    bench: Bench, arm: ArmBench, target: ReachTarget, piece: ComponentId | None, goals: Goals
+    bench: Bench,
+    arm: ArmBench,
+    target: ReachTarget,
+    piece: ComponentId | None,
+    goals: Goals,
+    *,
+    is_brief: bool,
 ) -> _Found:
     found = _Found()
     lying = None if piece is None else target.world_T_piece[piece]
@@ -120,12 +135,14 @@ def _tried(
         if goal is None:
             goal = goals[id(group)] = case.place_end(EndRecord())
         stock = None if piece is None else case.pick_end(piece, found.stock)
-        _search(goal, stock, found)
+        _search(goal, stock, found, rounds=1 if is_brief else _ALWAYS_ROUNDS)
+        if is_brief and found.holds:
+            break
         found.goal.join(goal.record)
     return found
 
 
-def _search(goal: GraspEnd, stock: GraspEnd | None, found: _Found) -> None:
+def _search(goal: GraspEnd, stock: GraspEnd | None, found: _Found, *, rounds: int) -> None:
     """Go through the offsets of all kinds of grasps until each kind serves, or one does."""
     group = goal.group
     ends = [e for e in (goal, stock) if e is not None]
@@ -134,7 +151,7 @@ def _search(goal: GraspEnd, stock: GraspEnd | None, found: _Found) -> None:
         if number == 1:
             _leave_hopeless(ends, is_open)
         grasps = all_kinds[is_open[all_kinds]]
-        if not is_open.any() or (number >= _ALWAYS_ROUNDS and found.holds):
+        if not is_open.any() or (number >= rounds and found.holds):
             return
         picked = set(grasps.tolist()) if stock is None else {h.grasp for h in stock.holds(grasps)}
         if number:

@@ -1,0 +1,1 @@
+"""Better places for robots and stock: what may move, where it fits, and how to search."""
