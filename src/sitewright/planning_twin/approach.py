@@ -105,11 +105,32 @@ class Reaching:
             self.scene, self.robot, q_rad, threshold_m, is_padded=is_padded
         )
 
+    def is_clear(
+        self, q_rad: Joints, threshold_m: Mapping[Pair, float], *, is_padded: bool = False
+    ) -> bool:
+        """Tell whether nothing is too near at a posture; quicker than to name what is."""
+        return self.backends.collision.is_clear(
+            self.scene, self.robot, q_rad, threshold_m, is_padded=is_padded
+        )
+
     def line(self, start: Pose, end: Pose, near_rad: Joints) -> tuple[Joints, ...] | NoIk:
         """Return a straight tip line as joint waypoints, from `start` at `near_rad`."""
         return straight_line(
             self.backends.kinematics, self.scene.robots[self.robot], start, end, near_rad
         )
+
+
+@dataclass(frozen=True, slots=True)
+class _Blocked:
+    """A posture in which something is too near; what it is, is looked at only when asked for."""
+
+    q_rad: Joints
+    threshold_m: Mapping[Pair, float]
+    is_padded: bool
+
+    def pairs(self, reaching: Reaching) -> tuple[Pair, ...]:
+        """Return what is too near."""
+        return reaching.violations(self.q_rad, self.threshold_m, is_padded=self.is_padded)
 
 
 @dataclass(slots=True)
@@ -127,7 +148,7 @@ class Approaches:
     touch: Touch
     near_rad: Joints
     found: int = 0
-    _blocked: dict[Joints, tuple[Pair, ...]] = field(default_factory=dict)
+    _blocked: dict[Joints, _Blocked] = field(default_factory=dict)
     _lost: NoIk | None = None
 
     def __iter__(self) -> Iterator[Approach]:
@@ -149,14 +170,16 @@ class Approaches:
             wanted_rad: The only posture in contact that would; None if it is not known.
         """
         shape = wanted_rad and without_turns(self.reaching.description, wanted_rad)
-        if shape and (pairs := self._blocked.get(shape)):
+        blocked = self._blocked.get(shape) if shape else None
+        if blocked is not None and (pairs := blocked.pairs(self.reaching)):
             return blocked_by(self.reaching.scene, self.reaching.robot, [pairs])
         return NoIk(is_proven=False, reason="no posture serves what follows")
 
     def why_not(self) -> NoIk | BlockedBy:
         """Return why there is none, once all were looked for."""
-        if self._blocked:
-            return blocked_by(self.reaching.scene, self.reaching.robot, self._blocked.values())
+        named = [b.pairs(self.reaching) for b in self._blocked.values()]
+        if found := [pairs for pairs in named if pairs]:
+            return blocked_by(self.reaching.scene, self.reaching.robot, found)
         return self._lost or NoIk(
             is_proven=False, reason="no branch of the inverse kinematics holds"
         )
@@ -165,18 +188,28 @@ class Approaches:
         shape = without_turns(self.reaching.description, contact_rad)
         if shape in self._blocked:
             return None
-        if pairs := self.reaching.violations(contact_rad, self.touch.near_m):
-            self._blocked[shape] = pairs
+        if self._is_blocked(shape, contact_rad, self.touch.near_m):
             return None
         approach = straight_approach(self.reaching, self.touch, contact_rad)
         if isinstance(approach, NoIk):
             self._lost = approach
             return None
-        free_m = self.touch.free_m
-        if pairs := self.reaching.violations(approach.pre_rad, free_m, is_padded=True):
-            self._blocked[shape] = pairs
+        if self._is_blocked(shape, approach.pre_rad, self.touch.free_m, is_padded=True):
             return None
         return approach
+
+    def _is_blocked(
+        self,
+        shape: Joints,
+        q_rad: Joints,
+        threshold_m: Mapping[Pair, float],
+        *,
+        is_padded: bool = False,
+    ) -> bool:
+        if self.reaching.is_clear(q_rad, threshold_m, is_padded=is_padded):
+            return False
+        self._blocked[shape] = _Blocked(q_rad, threshold_m, is_padded)
+        return True
 
 
 def straight_approach(reaching: Reaching, touch: Touch, contact_rad: Joints) -> Approach | NoIk:

@@ -86,14 +86,14 @@ class GraspTrial:
         scene = self.opened.scene.placed(BodyId(self.piece), task.world_T_target)
         leaving = replace(self.opened, scene=scene)
         touch = leave_touch(task, self.tool, self.piece, place.touch.world_T_tip)
-        if leaving.violations(place.contact_rad, touch.near_m):
+        if not leaving.is_clear(place.contact_rad, touch.near_m):
             return False
         way_out = straight_approach(leaving, touch, place.contact_rad)
         return not isinstance(way_out, NoIk) and self._is_way_out(leaving, way_out)
 
     @staticmethod
     def _is_way_out(reaching: Reaching, way: Approach) -> bool:
-        is_free = not reaching.violations(way.pre_rad, {}, is_padded=True)
+        is_free = reaching.is_clear(way.pre_rad, {}, is_padded=True)
         return is_free and is_proven(reaching, way.segments)
 
 

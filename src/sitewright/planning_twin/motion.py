@@ -260,6 +260,18 @@ class Kinematics(ForwardKinematics, Protocol):
 class CollisionCheck(Protocol):
     """Which pairs of a posture are too near."""
 
+    def is_clear(
+        self,
+        scene: SceneSnapshot,
+        robot: RobotId,
+        q_rad: Joints,
+        threshold_m: Mapping[Pair, float],
+        *,
+        is_padded: bool = False,
+    ) -> bool:
+        """Tell whether there are no `violations`; far quicker than to name them."""
+        ...
+
     def violations(
         self,
         scene: SceneSnapshot,

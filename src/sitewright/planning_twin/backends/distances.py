@@ -34,8 +34,9 @@ def lower_bounds(
         row: For each question, the row in `table`.
     """
     a, b = table.a[row], table.b[row]
-    balls = (layout.radius_m[a], layout.radius_m[b])
-    bounds = ball_gaps((placed[posture, a], placed[posture, b]), balls)
+    middles = placed[:, :, :3, 3]
+    between = middles[posture, b] - middles[posture, a]
+    bounds = _lengths(between) - (layout.radius_m[a] + layout.radius_m[b])
     close = np.flatnonzero(bounds < _BALL_SUFFICES_M)
     if len(close):
         a, b, posture = a[close], b[close], posture[close]
@@ -48,9 +49,11 @@ def lower_bounds(
 
 def ball_gaps(frames: Pairwise, radius_m: Pairwise) -> Array:
     """Return the gaps between balls around the origins of frames, row by row."""
-    between = frames[1][:, :3, 3] - frames[0][:, :3, 3]
-    length = np.sqrt(np.einsum("ki,ki->k", between, between))
-    return np.asarray(length - radius_m[0] - radius_m[1])
+    return _lengths(frames[1][:, :3, 3] - frames[0][:, :3, 3]) - radius_m[0] - radius_m[1]
+
+
+def _lengths(vectors: Array) -> Array:
+    return np.asarray(np.sqrt(np.einsum("ki,ki->k", vectors, vectors)))
 
 
 def box_gaps(frames: Pairwise, half_m: Pairwise, radius_m: Pairwise) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 import numpy.typing as npt
@@ -43,6 +43,19 @@ class KinematicChain:
     upper: Array
     carrier_by_link: Mapping[str, tuple[int, Array]]
     tip: str
+    _once: Array = field(init=False, repr=False)
+    _twice: Array = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        # a joint's frame is its zero frame + f `_once` + g `_twice`: f = sin q and g = 1 - cos q
+        # where it turns, f = q and g = 0 where it slides
+        once, twice = np.zeros((2, self.joints, 4, 4))
+        turns = ~self.is_prismatic
+        once[turns, :3, :3] = self.spins[turns]
+        once[~turns, :3, 3] = self.axes[~turns]
+        twice[turns, :3, :3] = self.spins[turns] @ self.spins[turns]
+        object.__setattr__(self, "_once", self.carrier_T_joint @ once)
+        object.__setattr__(self, "_twice", self.carrier_T_joint @ twice)
 
     @property
     def joints(self) -> int:
@@ -58,7 +71,9 @@ class KinematicChain:
         Returns:
             m x (n + 1) x 4 x 4; the last entry is the base itself, so that `BASE` finds it.
         """
-        local = self.carrier_T_joint @ self._motions(q)
+        once = np.where(self.is_prismatic, q, np.sin(q))[..., None, None]
+        twice = np.where(self.is_prismatic, 0.0, 1.0 - np.cos(q))[..., None, None]
+        local = self.carrier_T_joint + once * self._once + twice * self._twice
         out = np.empty((len(q), self.joints + 1, 4, 4))
         out[:, BASE] = np.eye(4)
         before = out[:, BASE]
@@ -71,18 +86,6 @@ class KinematicChain:
         """Return base_T_tip of every posture, m x 4 x 4."""
         joint, joint_T_tip = self.carrier_by_link[self.tip]
         return np.asarray(self.frames(q)[:, joint] @ joint_T_tip)
-
-    def _motions(self, q: Array) -> Array:
-        motion = np.zeros((*q.shape, 4, 4))
-        motion[..., 3, 3] = 1.0
-        angle = np.where(self.is_prismatic, 0.0, q)[..., None, None]
-        motion[..., :3, :3] = (
-            np.eye(3)
-            + np.sin(angle) * self.spins
-            + (1.0 - np.cos(angle)) * (self.spins @ self.spins)
-        )
-        motion[..., :3, 3] = np.where(self.is_prismatic, q, 0.0)[..., None] * self.axes
-        return motion
 
 
 def cross_matrices(axes: Array) -> Array:

@@ -14,7 +14,7 @@ from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.foundation.shapes import Box, Hull, Shape
 from sitewright.planning_twin.backends.kinematic_chain import Array
-from sitewright.planning_twin.backends.layout import attachment
+from sitewright.planning_twin.backends.layout import Layout
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot, link_name, pair_of
 from sitewright.robot_team.description import JointKind
@@ -29,19 +29,21 @@ class MujocoCell:
     Every still body is a MuJoCo body of its own, because pairs are left out body by body.
 
     Attributes:
+        layout: Parts and pairs of the proof; who carries what stays the same.
         model, data: MuJoCo's.
         name_by_body: Names as in pairs, by MuJoCo's body number.
         margin_m: Pairs nearer than this are reported.
     """
 
-    def __init__(self, scene: SceneSnapshot, margin_m: float, counted: set[Pair]) -> None:
+    def __init__(self, scene: SceneSnapshot, margin_m: float, layout: Layout) -> None:
         import mujoco
 
         self._mujoco: Any = mujoco
         self.margin_m = margin_m
+        self.layout = layout
         writer = _SpecWriter(mujoco, margin_m / 2.0 + _MARGIN_RESERVE_M)
         writer.add(scene)
-        writer.leave_out(counted)
+        writer.leave_out({name for table in layout.pairs_of.values() for name in table.names})
         self.model: Any = writer.spec.compile()
         self.data: Any = mujoco.MjData(self.model)
         self.name_by_body = {self.model.body(n).id: n for n in writer.names}
@@ -221,15 +223,11 @@ class MujocoCells:
 
     def of(self, scene: SceneSnapshot) -> MujocoCell:
         """Return the model with everything where the snapshot has it."""
-        arms = [(r, id(self._proofs.arm(s.description))) for r, s in scene.robots.items()]
-        bases = [s.world_T_base for s in scene.robots.values()]
-        bodies = [(b.id, b.shape, attachment(b)) for b in scene.bodies.values()]
-        key = (scene.clearance_m, tuple(arms), tuple(bases), tuple(bodies))
+        layout = self._proofs.of(scene).layout
+        bases = tuple(s.world_T_base for s in scene.robots.values())
+        key = (scene.clearance_m, id(layout), bases)
         if key not in self._cells:
-            layout = self._proofs.of(scene).layout
-            tables = (*layout.pairs_of.values(), *layout.standing_of.values())
-            counted = {name for table in tables for name in table.names}
-            self._cells[key] = MujocoCell(scene, scene.clearance_m, counted)
+            self._cells[key] = MujocoCell(scene, scene.clearance_m, layout)
             if len(self._cells) > _CELLS_REMEMBERED:
                 self._cells.popitem(last=False)
         self._cells.move_to_end(key)

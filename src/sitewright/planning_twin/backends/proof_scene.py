@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from itertools import count
 
 import numpy as np
 
 from sitewright.foundation.ids import RobotId
+from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.backends.arm_model import ArmModel, arm_model
 from sitewright.planning_twin.backends.convex_part import compiled
 from sitewright.planning_twin.backends.identity_cache import IdentityCache
@@ -20,6 +23,7 @@ from sitewright.robot_team.description import Description
 _ARMS_REMEMBERED = 16
 _LAYOUTS_REMEMBERED = 64
 _SCENES_REMEMBERED = 32
+_SHAPES_REMEMBERED = 4096
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,6 +66,7 @@ class ProofScenes:
         self._scene_of = IdentityCache(self._compile, size=_SCENES_REMEMBERED)
         self._arm_of = IdentityCache(arm_model, size=_ARMS_REMEMBERED)
         self._layouts: OrderedDict[Hashable, Layout] = OrderedDict()
+        self._number_of = IdentityCache(_shape_numbers(), size=_SHAPES_REMEMBERED)
 
     def of(self, scene: SceneSnapshot) -> ProofScene:
         """Return the compiled scene."""
@@ -102,7 +107,7 @@ class ProofScenes:
         arms = {r: self._arm_of(s.description) for r, s in scene.robots.items()}
         key = (
             tuple((r, id(arm)) for r, arm in arms.items()),
-            tuple((b.id, b.shape, attachment(b)) for b in scene.bodies.values()),
+            tuple((b.id, self._number_of(b.shape), attachment(b)) for b in scene.bodies.values()),
         )
         if key not in self._layouts:
             self._layouts[key] = laid_out(scene, arms)
@@ -110,3 +115,14 @@ class ProofScenes:
                 self._layouts.popitem(last=False)
         self._layouts.move_to_end(key)
         return self._layouts[key]
+
+
+def _shape_numbers() -> Callable[[Shape], int]:
+    """Return a function that gives equal shapes the same number, and others another one."""
+    fresh = count()
+
+    @lru_cache(maxsize=_SHAPES_REMEMBERED)
+    def number(_shape: Shape) -> int:
+        return next(fresh)
+
+    return number

@@ -55,6 +55,7 @@ class SearchModel:
         self._placed: Any = pinocchio.GeometryData(self._geometry)
         for request in self._placed.collisionRequests:
             request.security_margin = margin_m
+        self._number_of_pair = np.array(self._geometry.collisionPairMapping)
         self._tree: Any = pinocchio.BroadPhaseManager_DynamicAABBTreeCollisionManager(
             self._model, self._geometry, self._placed
         )
@@ -69,6 +70,12 @@ class SearchModel:
         wanted = np.zeros((self._geometry.ngeoms,) * 2, dtype=np.bool_)
         wanted[np.minimum(a, b), np.maximum(a, b)] = True
         self._placed.setActiveCollisionPairs(self._geometry, wanted)
+
+    def set_margins(self, a: Indices, b: Indices, margin_m: Array) -> None:
+        """Let pairs of parts come as near as this; never further than the model's own margin."""
+        numbers = self._number_of_pair[np.minimum(a, b), np.maximum(a, b)]
+        for number, margin in zip(numbers.tolist(), margin_m.tolist(), strict=True):
+            self._placed.collisionRequests[number].security_margin = margin
 
     def is_hit(self, q: Array) -> bool:
         """Tell whether any pair is nearer than the margin in a posture of all joints."""

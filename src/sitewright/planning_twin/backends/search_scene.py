@@ -18,7 +18,7 @@ from sitewright.planning_twin.backends.team_pairs import tables_of
 from sitewright.planning_twin.scene import Pair, SceneSnapshot
 from sitewright.robot_team.description import Joints
 
-_SCENES_REMEMBERED = 12
+_SCENES_REMEMBERED = 24
 
 
 class SearchScene:
@@ -29,20 +29,46 @@ class SearchScene:
 
     def __init__(self, proof: ProofScene, margin_m: float) -> None:
         self.layout: Layout = proof.layout
+        self._margin_m = margin_m
         self._model = SearchModel(proof, margin_m)
         self._columns_of = self._model.columns_of
+        self._proof = proof
+        self._robots: tuple[RobotId, ...] = ()
+        self._kept: Mapping[Pair, float] = {}
 
     def place(self, proof: ProofScene, scene: SceneSnapshot, robots: tuple[RobotId, ...]) -> None:
         """Put everything where a snapshot has it, and look at all that some robots may hit."""
-        self._model.place(proof.world_T_part)
-        self._scene, self._robots = scene, robots
-        self._table = tables_of(self.layout, robots)[0]
-        self.leave_out(())
+        if proof is not self._proof:
+            self._model.place(proof.world_T_part)
+            self._proof = proof
+        self._scene = scene
+        if robots != self._robots:
+            self.keep({})
+            self._robots = robots
+            self._table = tables_of(self.layout, robots)[0]
+            self.leave_out(())
 
     def leave_out(self, pairs: Iterable[Pair]) -> None:
         """Leave exactly these pairs out of the checks from now on."""
         is_on = ~self._table.is_declared(dict.fromkeys(pairs, 0.0))
         self._model.look_at(self._table.a[is_on], self._table.b[is_on])
+
+    def keep(self, distance_m: Mapping[Pair, float]) -> None:
+        """Let these pairs come nearer than the margin from now on, others not.
+
+        Args:
+            distance_m: Less than the margin; a pair with minus infinity is left out.
+        """
+        if distance_m is self._kept or not (distance_m or self._kept):
+            return
+        table = self._table
+        changed = {**dict.fromkeys(self._kept, self._margin_m), **distance_m}
+        rows = np.flatnonzero(table.is_declared(changed))
+        values = table.thresholds(self._margin_m, changed)[rows]
+        seen = np.isfinite(values)
+        self._model.set_margins(table.a[rows[seen]], table.b[rows[seen]], values[seen])
+        self.leave_out(p for p, least_m in distance_m.items() if least_m == -np.inf)
+        self._kept = distance_m
 
     def posture(self, moved: Mapping[RobotId, Joints]) -> Array:
         """Return the positions of all joints, with some robots in other postures."""

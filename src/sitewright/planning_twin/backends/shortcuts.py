@@ -10,6 +10,8 @@ from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.search_space import SearchSpace
 
 _TRIES = 60
+_PATIENCE = 12
+"""So many tries in a row may be in vain."""
 _STOP_S = 0.5
 """A corner costs about so long, because the robot rests there."""
 _LEAST_GAIN_S = 0.01
@@ -30,11 +32,14 @@ def quicker(space: SearchSpace, path: list[Array], seed: int) -> list[Array]:
     """
     path = _without_detours(space, path)
     rng = np.random.default_rng(seed)
+    in_vain = 0
     for _ in range(_TRIES):
-        if len(path) <= 2:  # noqa: PLR2004 - a line has two ends
+        if len(path) <= 2 or in_vain >= _PATIENCE:  # noqa: PLR2004 - a line has two ends
             break
-        path = _cut(space, path, np.sort(rng.random(2)))
-        path = _pulled(space, path, int(rng.integers(1, max(2, len(path) - 1))))
+        tried = _cut(space, path, np.sort(rng.random(2)))
+        tried = _pulled(space, tried, int(rng.integers(1, max(2, len(tried) - 1))))
+        in_vain = in_vain + 1 if tried is path else 0
+        path = tried
     return path
 
 

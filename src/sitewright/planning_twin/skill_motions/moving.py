@@ -82,29 +82,39 @@ def _timed(
 
 
 def move_to(
-    stage: Stage, robot: RobotId, goal_rad: Joints, tail: tuple[PathSegment, ...] = ()
+    stage: Stage,
+    robot: RobotId,
+    goal_rad: Joints,
+    tail: tuple[PathSegment, ...] = (),
+    *,
+    out: tuple[PathSegment, ...] | None = None,
 ) -> PlannedMotion | Refusal:
     """Plan from where a robot stands to a posture, then along `tail`.
-
-    A robot that was stopped in contact first goes straight out of it.
 
     Args:
         stage: The site now.
         robot: Who moves; what it holds moves along.
         goal_rad: End of the free motion, start of the tail.
         tail: Straight approach that follows.
+        out: Straight lines out of contact, to go first. None: a robot that was stopped in contact
+            goes straight out of it.
     """
     resting = resting_contacts(stage, robot)
-    out = way_out(stage, robot) if stands_in_contact(stage, robot) else ()
-    if isinstance(out, NoIk):
-        return out
-    start_rad = out[-1].waypoints_rad[-1] if out else stage.q_rad(robot)
-    scene = scene_of(with_joints(stage.site, robot, start_rad))
-    free = _free_segments(stage, scene, robot, goal_rad, resting)
+    lead = _lead(stage, robot) if out is None else out
+    if isinstance(lead, NoIk):
+        return lead
+    start_rad = lead[-1].waypoints_rad[-1] if lead else stage.q_rad(robot)
+    outside = scene_of(with_joints(stage.site, robot, start_rad))
+    free = _free_segments(stage, outside, robot, goal_rad, resting)
     if not isinstance(free, tuple):
         return free
     standing = PathSegment(waypoints_rad=(goal_rad, goal_rad))
-    return finished_motion(stage, robot, scene, (*out, *free, *tail) or (standing,))
+    segments = (*lead, *free, *tail) or (standing,)
+    return finished_motion(stage, robot, scene_of(stage.site), segments)
+
+
+def _lead(stage: Stage, robot: RobotId) -> tuple[PathSegment, ...] | NoIk:
+    return way_out(stage, robot) if stands_in_contact(stage, robot) else ()
 
 
 def _free_segments(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sitewright.foundation.ids import RobotId, StationId
+from sitewright.foundation.ids import StationId
 from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import PathSegment, PlannedMotion
 from sitewright.planning_twin.refusal import NoIk, Refusal
@@ -69,21 +69,10 @@ def _out_and_park(
     robot = stage.robot(call.robot)
     options = [*robot.parking_q_rad, robot.home_q_rad]
     first = stage.parking.get(call.robot, 0) % len(options)
-    start = out[-1].waypoints_rad[-1] if out else stage.q_rad(call.robot)
-    outside = stage.at(with_joints(stage.site, call.robot, start))
     refusal: Refusal = NoIk(is_proven=False, reason="no parking posture is free")
     for goal_rad in options[first:] + options[:first]:
-        motion = move_to(outside, call.robot, goal_rad)
+        motion = move_to(stage, call.robot, goal_rad, out=out)
         if isinstance(motion, PlannedMotion):
-            return _prefixed(stage, call.robot, out, motion)
+            return motion
         refusal = motion
     return refusal
-
-
-def _prefixed(
-    stage: Stage, robot: RobotId, out: tuple[PathSegment, ...], motion: PlannedMotion
-) -> PlannedMotion | Refusal:
-    if not out:
-        return motion
-    segments = (*out, *motion.timed.path.segments)
-    return finished_motion(stage, robot, scene_of(stage.site), segments)

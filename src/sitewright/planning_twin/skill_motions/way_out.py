@@ -38,8 +38,7 @@ def way_out(stage: Stage, robot: RobotId) -> tuple[PathSegment, ...] | NoIk:
 def stands_in_contact(stage: Stage, robot: RobotId) -> bool:
     """Tell whether a robot is too near to something that it may touch to start a free motion."""
     resting = resting_contacts(stage, robot)
-    pairs = stage.reaching(robot).violations(stage.q_rad(robot), resting, is_padded=True)
-    return bool(pairs)
+    return not stage.reaching(robot).is_clear(stage.q_rad(robot), resting, is_padded=True)
 
 
 def _touch_now(stage: Stage, robot: RobotId) -> Touch:
