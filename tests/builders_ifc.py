@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import uuid
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -140,11 +141,12 @@ class IfcDraft:
         length: float,
         *,
         sides: Point = STUD_MM,
+        within: Any = None,
         **values: Any,
     ) -> Any:
         """Add a member; the first of its sides is upright, or along x if it stands."""
         x = (1, 0, 0) if along[2] else (0, 0, 1)
-        placement = self.placed(start, along, x)
+        placement = self.placed(start, along, x, within=within)
         shape = self.shape(self.extruded(self.rectangle(sides), length))
         return self.element("IfcMember", name, placement, shape, **values)
 
@@ -230,6 +232,44 @@ def wall_panel(schema: str = "IFC4", *, at: Point = (0, 0, 0), stud_mm: float = 
     tasks = [draft.task("plate", [bottom]), draft.task("studs", studs), draft.task("cap", [top])]
     draft.sequence(*tasks)
     return draft
+
+
+def framed_walls() -> IfcDraft:
+    """Return two walls of a storey as a BIM user exports them, framed, in millimetres.
+
+    W-01 is 1.29 m wide and 2.49 m high: bottom plate, three studs, top plate; it stands at an
+    angle of 30 degrees. W-02 is the same and stands across its end. The members are placed in
+    their walls, the walls in the storey; there are no tasks.
+    """
+    draft = IfcDraft(seed="framed walls")
+    place = draft.placed((5000, 3000, 250))
+    storey = draft.rooted("IfcBuildingStorey", Name="Ground floor", ObjectPlacement=place)
+    draft.rooted("IfcRelAggregates", RelatingObject=draft.project, RelatedObjects=[storey])
+    root = math.sqrt(3.0)
+    along = draft.placed((0, 0, 0), (0, 0, 1), (root, 1, 0), within=place)
+    across = draft.placed((1300, 750, 0), (0, 0, 1), (-1, root, 0), within=place)
+    walls = [_framed_wall(draft, "W-01", along), _framed_wall(draft, "W-02", across)]
+    draft.rooted(
+        "IfcRelContainedInSpatialStructure", RelatedElements=walls, RelatingStructure=storey
+    )
+    return draft
+
+
+def _framed_wall(draft: IfcDraft, name: str, place: Any) -> Any:
+    plate: dict[str, Any] = {"PredefinedType": "PLATE", "within": place}
+    stud: dict[str, Any] = {"PredefinedType": "STUD", "within": place}
+    members = [
+        draft.member("bottom plate", (0, 0, 22.5), (1, 0, 0), 1290, **plate),
+        *(
+            draft.member(f"stud {n + 1}", (22.5 + 622.5 * n, 0, 45), (0, 0, 1), 2400, **stud)
+            for n in range(3)
+        ),
+        draft.member("top plate", (0, 0, 2467.5), (1, 0, 0), 1290, **plate),
+    ]
+    wall = draft.element("IfcWall", name, place, None, PredefinedType="ELEMENTEDWALL")
+    draft.rooted("IfcRelAggregates", RelatingObject=wall, RelatedObjects=members)
+    draft.material("C24", members)
+    return wall
 
 
 def lying_frame() -> IfcDraft:

@@ -20,6 +20,9 @@ OPTIONS = {
     "--map": ["--map", "import.toml"],
     "--repair": ["--repair", "hull"],
     "--split": ["--split"],
+    "--group": ["--group", "panel A"],
+    "--lay-flat": ["--lay-flat"],
+    "--turn-over": ["--turn-over"],
 }
 
 

@@ -171,6 +171,16 @@ def test_rules_that_cannot_be_read_or_clash_are_one_clear_error(
     assert "says something else" in capsys.readouterr().err
 
 
+def test_rules_that_come_with_it_are_named_builtin(
+    project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run("infer", project, "--rules", "builtin:timber-panel", "--write") == 0
+    rules = read_building(project / "building.json").rules
+    assert [r["id"] for r in rules] == ["butt-joints", "double-plates"]
+    assert run("infer", project, "--rules", "builtin:timber-panels") == 3
+    assert "there are builtin:timber-panel. Did you mean timber-panel?" in capsys.readouterr().err
+
+
 def test_explain_says_where_facts_come_from_and_what_comes_first(
     project: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -147,6 +147,7 @@ def models(draw: st.DrawFn) -> BuildingModel:
         materials={"C24": {"density_kg_m3": 420.0}} if draw(st.booleans()) else {},
         component_types=draw(st.dictionaries(words.filter(bool), free, max_size=1)),
         ground_z_m=draw(coordinates),
+        site_T_model=draw(st.just(Pose()) | poses()),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -12,14 +13,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from builders_frame import Z, beam, upright
-from sitewright.building_model.component import BoxGeometry, Component, Layer
+from sitewright.building_model.component import BoxGeometry, Component, Layer, Origin
 from sitewright.building_model.inference.bodies import bodies_of
 from sitewright.building_model.inference.completion import Surroundings, complete
 from sitewright.building_model.inference.interfaces import interfaces_of
 from sitewright.building_model.model import BuildingModel, RelationKind
 from sitewright.building_model.shapes import extent_of, shape_of
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import ComponentId, StockPlaceId
+from sitewright.foundation.ids import ComponentId, OperationId, StockPlaceId
 from sitewright.foundation.pose import Pose, Vector, dot, rotation, translation
 
 ENDS: Mapping[str, Json] = {
@@ -94,6 +95,25 @@ def test_what_a_fastener_goes_into_is_there_before_the_one_that_owns_it() -> Non
     owned = [(c.id, o) for c in model.component_by_id.values() for o in c.operations]
     assert len(owned) == 2 * 8, "three studs at both plates, the sill at two studs"
     assert all(set(o.on) - {i} <= before[i] for i, o in owned)
+
+
+def test_what_a_stated_nail_goes_into_is_there_first_too() -> None:
+    drawn = window_panel()
+    done, _ = complete(drawn)
+    first = next(i for i, b in built_order(done).items() if not b)
+    owners = [c for c in done.component_by_id.values() if c.operations]
+    other = next(c for c in owners if first in c.operations[0].on)
+    nail = replace(other.operations[0], id=OperationId("own"), origin=Origin.GIVEN)
+    into = other.world_T_component @ nail.component_T_operation
+    plate = drawn.component_by_id[first]
+    nail = replace(nail, component_T_operation=plate.world_T_component.inverse() @ into)
+    stated = replace(
+        drawn, component_by_id={**drawn.component_by_id, first: replace(plate, operations=(nail,))}
+    )
+    model, problems = complete(stated)
+    assert other.id in built_order(model)[first], "the nail is the first one's: it comes later now"
+    assert not [p for p in problems if p.severity == "E"]
+    assert complete(model)[0] == model
 
 
 @pytest.mark.parametrize("face", FACE_UP)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cache
 
@@ -12,9 +13,10 @@ from sitewright.building_model.component import BoxGeometry, FastenerSpec, Opera
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.model import BuildingModel
 from sitewright.construction_graph.project_check import check_project
+from sitewright.construction_graph.siting import sited
 from sitewright.errors import Problem
 from sitewright.foundation.ids import ComponentId, OperationId, RobotId, StockPlaceId
-from sitewright.foundation.pose import translation
+from sitewright.foundation.pose import rotation, translation
 from sitewright.robot_team.cell import Capability, Cell
 from sitewright.robot_team.formats.cell_toml import read_cell
 
@@ -53,6 +55,15 @@ def the(code: str, found: list[Problem]) -> Problem:
 def test_the_examples_have_no_problems(project: str, cell_file: str) -> None:
     model = read_building(EXAMPLES / project / "building.json")
     assert check_project(model, read_cell(EXAMPLES / project / cell_file)) == []
+
+
+def test_gravity_that_does_not_point_down_in_the_cell_is_told() -> None:
+    sideways = replace(frame(), gravity=(0.0, 9.81, 0.0))
+    assert "90 degrees" in the("L4", check_project(sideways, cell())).message
+    laid = replace(sideways, site_T_model=rotation((1.0, 0.0, 0.0), -math.pi / 2.0))
+    placed = sited(cell(), laid)
+    assert placed.world_T_model.turn(laid.gravity) == pytest.approx((0.0, 0.0, -9.81))
+    assert "L4" not in codes(check_project(laid, placed))
 
 
 def test_too_heavy_is_told_with_the_figures() -> None:

@@ -19,6 +19,7 @@ from sitewright.building_model.formats.native import read_as_written
 from sitewright.building_model.model import BuildingModel
 from sitewright.building_model.object_states import ObjectState, object_states
 from sitewright.central_controller.site_state import SiteState, site_of
+from sitewright.construction_graph.siting import sited
 from sitewright.errors import CellRejectedError
 from sitewright.foundation.pose import Pose
 from sitewright.robot_team.cell import Cell
@@ -48,7 +49,7 @@ class BuiltState:
         design: The design that the moment is about.
         as_built: The same with everything folded in that was built by then.
         site: What the controller knew then.
-        cell: The cell; None if it cannot be read.
+        cell: The cell with the model placed in it; None if it cannot be read.
         notes: What a reader should know of it, one sentence each.
     """
 
@@ -103,7 +104,7 @@ def state_at(
         notes += [] if then else ["The design of that run was not kept; this is today's."]
         model = then or model
     site = fold_of(chain, site_of(model))[0].site
-    team, said = _cell(folder / (cell or CELL), is_needed=bool(site.placed))
+    team, said = _cell(folder / (cell or CELL), model, is_needed=bool(site.placed))
     return BuiltState(
         name="design" if moment.is_design else "as_built",
         folder=folder,
@@ -122,10 +123,10 @@ def _chain(runs: Path, moment: Moment) -> tuple[RunFolder, ...]:
     return () if last is None else chain_of(last)
 
 
-def _cell(file: Path, *, is_needed: bool) -> tuple[Cell | None, list[str]]:
+def _cell(file: Path, model: BuildingModel, *, is_needed: bool) -> tuple[Cell | None, list[str]]:
     """Return the cell; one that nothing was built in may be missing or wrong."""
     try:
-        return read_cell(file), []
+        return sited(read_cell(file), model), []
     except CellRejectedError as rejected:
         if is_needed:
             raise

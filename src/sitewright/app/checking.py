@@ -15,6 +15,7 @@ from sitewright.building_model.inference.geometry_check import with_geometry
 from sitewright.building_model.model import BuildingModel
 from sitewright.building_model.spelling import spelled_out
 from sitewright.building_model.validation import STRUCTURE_CODES, check_model
+from sitewright.construction_graph.siting import sited
 from sitewright.errors import CellRejectedError, ModelRejectedError, Problem
 from sitewright.robot_team.cell import Cell
 from sitewright.robot_team.formats.cell_toml import read_cell
@@ -53,7 +54,8 @@ def _checked(
     elif team is None:
         found = with_geometry(model, found)
     else:
-        found = problems_in(Project(folder=folder, cell_file=cell_file, model=model, cell=team))
+        placed = sited(team, model)
+        found = problems_in(Project(folder=folder, cell_file=cell_file, model=model, cell=placed))
     return _sorted([*found, *wrong, *notes_for(folder, found)])
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 from pathlib import Path
 
 from sitewright.app.project import BUILDING, Project
@@ -75,7 +74,7 @@ def kept_design(folder: Path, model_sha256: str) -> BuildingModel | None:
 def project_at(project: Project, model_sha256: str) -> Project:
     """Return the project with the design that a run was about, as far as it was kept."""
     model = kept_design(project.folder, model_sha256) if model_sha256 else None
-    return project if model is None else replace(project, model=model)
+    return project if model is None else project.with_model(model)
 
 
 def _design_file(folder: Path, model_sha256: str) -> Path:

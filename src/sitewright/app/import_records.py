@@ -41,6 +41,11 @@ def imported_source(design: BuildingModel) -> Source | None:
     return next((s for s in reversed(design.sources) if s.import_sha256), None)
 
 
+def sources_with(design: BuildingModel, before: Source, now: Source) -> tuple[Source, ...]:
+    """Return the sources of a design with that of an import exchanged for a newer one."""
+    return (*(s for s in design.sources if s != before), now)
+
+
 def read_record(folder: Path, source: Source) -> BuildingModel:
     """Return what was read of a file when it was imported.
 

@@ -9,8 +9,10 @@ from dataclasses import asdict, dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 
+from sitewright.app.framing_cell import framing_cell
+from sitewright.app.import_building import built_flat, only_group
 from sitewright.app.import_notes import notes_file
-from sitewright.app.import_options import demand_meaning
+from sitewright.app.import_options import ImportOptionError, demand_meaning
 from sitewright.app.import_records import IMPORTS, with_record
 from sitewright.app.project import BUILDING, CELL, ProjectError, example_folder
 from sitewright.building_model.component import Source
@@ -49,12 +51,18 @@ class ImportOptions:
         map_file: An ``import.toml`` that says what foreign keys and layers mean.
         repair: ``hull`` closes open meshes by their convex hull.
         is_split: Parts of several bodies become several components.
+        group: Only this group is built; everything else is drawn only.
+        lays_flat: It is drawn standing and built lying flat.
+        is_turned_over: Laid flat on its other face.
     """
 
     unit: str | None = None
     map_file: Path | None = None
     repair: str | None = None
     is_split: bool = False
+    group: str | None = None
+    lays_flat: bool = False
+    is_turned_over: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,8 +72,9 @@ class ImportResult:
     Attributes:
         kind: What kind of file it was, told by its content.
         problems: Warnings, and what could not be inferred.
-        has_new_cell: The folder had no cell; it got one laid out for timber frames.
+        has_new_cell: The folder had no cell; it got one laid out for what was read.
         is_inferred: Order, supports and stock were inferred, not only read.
+        is_laid_flat: It is a panel that is built lying.
     """
 
     folder: Path
@@ -74,6 +83,7 @@ class ImportResult:
     problems: tuple[Problem, ...] = field(default=())
     has_new_cell: bool = False
     is_inferred: bool = False
+    is_laid_flat: bool = False
 
 
 def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> ImportResult:
@@ -102,7 +112,7 @@ def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> 
         problems = [*problems, *open_points]
     has_new_cell = not (out / CELL).exists()
     if has_new_cell:
-        kept[CELL] = (example_folder(_CELL_EXAMPLE) / CELL).read_bytes()
+        kept[CELL] = _cell_for(model, options)
     kept |= notes_file(problems)
     write_project(out, {**kept, BUILDING: laid_out(document_of(model)).encode()})
     return ImportResult(
@@ -112,7 +122,14 @@ def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> 
         problems=tuple(problems),
         has_new_cell=has_new_cell,
         is_inferred=is_inferred,
+        is_laid_flat=options.lays_flat,
     )
+
+
+def _cell_for(model: BuildingModel, options: ImportOptions) -> bytes:
+    if options.lays_flat:
+        return framing_cell(model).encode()
+    return (example_folder(_CELL_EXAMPLE) / CELL).read_bytes()
 
 
 def keeping_record(
@@ -162,7 +179,7 @@ def read_design(
     """Return what a design file holds; nothing is inferred but the joints of a BTLx file.
 
     Raises:
-        ImportOptionError: An option means nothing for this kind of file.
+        ImportOptionError: An option means nothing for this file.
         ModelRejectedError: The file or the map cannot be read, or parts of it are wrong.
         BackendMissingError: The extra for this kind of file is not installed.
     """
@@ -186,7 +203,17 @@ def read_design(
     )
     if kind is FileKind.BTLX:
         model = replace(model, relations=(*model.relations, *cut_joints(model)))
-    return kind, model, problems
+    return kind, _as_built_here(model, options), problems
+
+
+def _as_built_here(model: BuildingModel, options: ImportOptions) -> BuildingModel:
+    if options.group is not None:
+        model = only_group(model, options.group)
+    if options.lays_flat:
+        model = built_flat(model, is_turned_over=options.is_turned_over)
+    elif options.is_turned_over:
+        raise ImportOptionError("--turn-over says how to lay flat; add --lay-flat.")
+    return model
 
 
 def _native(file: Path) -> BuildingModel:
@@ -204,6 +231,9 @@ def _given(options: ImportOptions) -> Iterator[str]:
         ("--map", options.map_file),
         ("--repair", options.repair),
         ("--split", options.is_split),
+        ("--group", options.group),
+        ("--lay-flat", options.lays_flat),
+        ("--turn-over", options.is_turned_over),
     ):
         if value:
             yield name

@@ -6,6 +6,7 @@ import json
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,13 @@ from sitewright.app.project import BUILDING, CELL, ProjectError
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.inference.completion import Surroundings, complete
 from sitewright.building_model.model import BuildingModel
-from sitewright.errors import Problem, SitewrightError
+from sitewright.errors import Problem, SitewrightError, did_you_mean
 from sitewright.foundation.canonical import Json
 from sitewright.robot_team.formats.cell_toml import read_cell
+
+PANEL_RULES = "builtin:timber-panel"
+"""How wall panels are nailed."""
+_BUILTIN = "builtin:"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +51,7 @@ def infer_project(
 
     Args:
         folder: The project.
-        rules: A TOML or JSON file of rules to add to those of the model.
+        rules: A TOML or JSON file of rules to add to those of the model, or ``builtin:NAME``.
         write: Change ``building.json``; nothing is written if nothing differs.
         cell: Another cell file than ``cell.toml``; it names stock places and grippers.
 
@@ -101,7 +106,7 @@ def _new_rules(model: BuildingModel, file: Path | None) -> list[Mapping[str, Jso
 
 def _rules_in(file: Path) -> Sequence[Mapping[str, Json]]:
     try:
-        text = file.read_text(encoding="utf-8-sig")
+        text = _text_of(file)
         document: Any = json.loads(text) if file.suffix == ".json" else tomllib.loads(text)
     except (OSError, ValueError, RecursionError) as error:
         raise ProjectError(f"{file}: {error}. Mend the file of rules.") from error
@@ -110,3 +115,19 @@ def _rules_in(file: Path) -> Sequence[Mapping[str, Json]]:
     if not isinstance(document, list) or not all(isinstance(r, Mapping) for r in document):
         raise ProjectError(f"{file} holds no list of rules ([[rules]] in TOML).")
     return document
+
+
+def _text_of(file: Path) -> str:
+    """Return a file of rules; ``builtin:NAME`` is one that comes with Sitewright."""
+    name = str(file)
+    if not name.startswith(_BUILTIN):
+        return file.read_text(encoding="utf-8-sig")
+    known = {Path(f.name).stem: f for f in (files("sitewright") / "app" / "rules").iterdir()}
+    own = known.get(name.removeprefix(_BUILTIN))
+    if own is None:
+        words = ", ".join(f"{_BUILTIN}{k}" for k in sorted(known))
+        raise ProjectError(
+            f"There are no rules {name}; there are {words}."
+            f"{did_you_mean(name.removeprefix(_BUILTIN), known)}"
+        )
+    return own.read_text(encoding="utf-8")

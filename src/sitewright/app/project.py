@@ -14,6 +14,7 @@ from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.model import BuildingModel
 from sitewright.building_model.shapes import shape_of
 from sitewright.construction_graph.project_check import check_project
+from sitewright.construction_graph.siting import sited
 from sitewright.errors import (
     BuildingModelError,
     ModelRejectedError,
@@ -44,6 +45,7 @@ class Project:
     Attributes:
         folder: Where its files and `runs/` are.
         cell_file: The cell that is used, e.g. a mirrored one.
+        cell: As in its file, with the model placed in it.
         settings: Content of ``sitewright.toml``; empty without one.
         unsupported: Targets that would stand on nothing (F2), with the reason: each is refused
             when its turn comes, the others are built.
@@ -61,6 +63,11 @@ class Project:
         """The user's own domain, if there is one."""
         own = self.folder / DOMAIN
         return own if own.exists() else None
+
+    def with_model(self, model: BuildingModel) -> Project:
+        """Return the project with another building, placed in the same cell."""
+        bare = self.cell.world_T_model @ self.model.site_T_model.inverse()
+        return replace(self, model=model, cell=sited(replace(self.cell, world_T_model=bare), model))
 
 
 def open_project(path: Path | str, *, cell: Path | str | None = None) -> Project:
@@ -100,11 +107,12 @@ def read_project(path: Path | str, *, cell: Path | str | None = None) -> Project
     folder = Path(path)
     cell_file = folder / (cell or CELL)
     require_project(folder, cell_file)
+    model = read_building(folder / BUILDING)
     return Project(
         folder=folder,
         cell_file=cell_file,
-        model=read_building(folder / BUILDING),
-        cell=read_cell(cell_file),
+        model=model,
+        cell=sited(read_cell(cell_file), model),
         settings=_settings(folder),
     )
 

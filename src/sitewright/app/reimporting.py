@@ -12,7 +12,12 @@ from sitewright.app.design_changes import design_change, keep_design, told
 from sitewright.app.event_log import EventLog
 from sitewright.app.ids import UuidSource
 from sitewright.app.import_notes import NOTES, notes_file
-from sitewright.app.import_records import imported_source, read_back, read_record
+from sitewright.app.import_records import (
+    imported_source,
+    read_back,
+    read_record,
+    sources_with,
+)
 from sitewright.app.importing import ImportOptions, keeping_record, read_design
 from sitewright.app.inferring import surroundings_of
 from sitewright.app.locks import locked
@@ -26,6 +31,7 @@ from sitewright.app.run_folder import RunFolder, chain_of
 from sitewright.building_model.component import Layer, Source
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.inference.bare import without_inferred
+from sitewright.building_model.laying import lying_as
 from sitewright.building_model.merging import (
     Conflict,
     Preference,
@@ -152,7 +158,9 @@ def _merged(
     base, theirs = (without_inferred(in_coordinates_of(d, old)) for d in (base, read_back(read)))
     mine = stated_facts(old, base)
     merged, conflicts = merged_design(base, mine, theirs, wishes.prefer)
-    merged = replace(merged, sources=_sources(old, source, read.sources[-1]))
+    merged = replace(merged, sources=sources_with(old, source, read.sources[-1]))
+    if targets_in_work(history.state):
+        merged = lying_as(merged, old)
     merged, protected = _protected(mine, merged, old, history, wishes)
     after, open_points = merged, list[Problem]()
     if is_inferred(old):
@@ -232,10 +240,6 @@ def _base(folder: Path, source: Source, options: ImportOptions, wishes: Wishes) 
     if wishes.base is None:
         return read_record(folder, source)
     return read_back(read_design(wishes.base, options)[1])
-
-
-def _sources(old: BuildingModel, before: Source, now: Source) -> tuple[Source, ...]:
-    return (*(s for s in old.sources if s != before), now)
 
 
 def _history(folder: Path) -> _History:

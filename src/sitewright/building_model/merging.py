@@ -17,7 +17,7 @@ from sitewright.building_model.component import Component
 from sitewright.building_model.model import BuildingModel, Relation, Stack
 from sitewright.building_model.same_value import is_same
 from sitewright.foundation.ids import ComponentId
-from sitewright.foundation.pose import subtract
+from sitewright.foundation.pose import Pose, subtract, translation
 
 Entry = TypeVar("Entry", Component, Stack, Relation)
 _BY_KEY = ("raw", "ext")
@@ -152,7 +152,7 @@ def merged_design(
     known = components.keys()
     whole: dict[str, Any] = {
         name: merge.value("", name, getattr(base, name), getattr(mine, name), getattr(theirs, name))
-        for name in ("rules", "gravity", "ground_z_m")
+        for name in ("rules", "gravity", "ground_z_m", "site_T_model")
     }
     by_key: dict[str, Any] = {
         name: merge.mapping("", getattr(base, name), getattr(mine, name), getattr(theirs, name))
@@ -174,8 +174,11 @@ def in_coordinates_of(design: BuildingModel, other: BuildingModel) -> BuildingMo
     if not any(by_m):
         return design
     piled = {i for s in design.stacks for i in s.items}
+    x, y, z = by_m
+    is_laid = design.site_T_model != Pose()
     return replace(
         design,
+        site_T_model=design.site_T_model @ translation(-x, -y, -z) if is_laid else Pose(),
         component_by_id={
             i: c if i in piled else _shifted(c, by_m) for i, c in design.component_by_id.items()
         },

@@ -61,7 +61,10 @@ class BuildingModel:
             them; their `world_T_component` is in the frame of the stock place.
         origin_shift_m: Shift taken off the source coordinates, restored on export.
         raw: Facts of the source file as a whole, verbatim, e.g. ``survey``: where it lies on Earth.
-        gravity: Direction and size of gravity in the model frame, m/s2.
+        gravity: Direction and size of gravity in the model frame while it is built, m/s2.
+        ground_z_m: Height of the ground or table along up, against gravity, in the model frame.
+        site_T_model: How it lies in the site of the cell while it is built: a wall drawn standing
+            and nailed flat is turned. Gravity must point down there.
     """
 
     name: str
@@ -76,3 +79,4 @@ class BuildingModel:
     raw: Mapping[str, Json] = field(default_factory=dict)
     gravity: Vector = (0.0, 0.0, -9.81)
     ground_z_m: float = 0.0
+    site_T_model: Pose = field(default_factory=Pose)

@@ -26,6 +26,9 @@ _INVALID = 3
 )
 @click.option("--repair", type=click.Choice(["hull"]), help="Close open meshes by their hull.")
 @click.option("--split", "is_split", is_flag=True, help="Each body of a part is a component.")
+@click.option("--group", help="Build only this group, e.g. one wall panel; draw the rest.")
+@click.option("--lay-flat", "lays_flat", is_flag=True, help="Drawn standing, built lying flat.")
+@click.option("--turn-over", "is_turned_over", is_flag=True, help="Laid flat: the other face down.")
 @click.option(
     "-o", "--out", "folder", type=FOLDER, required=True, help="Project to make or to change."
 )
@@ -77,6 +80,7 @@ def import_(
 
 def _new(file: Path, folder: Path, options: ImportOptions, out: Output) -> int:
     from sitewright.app.importing import import_file
+    from sitewright.app.inferring import PANEL_RULES
 
     result = import_file(file, folder, options)
     for problem in result.problems:
@@ -85,7 +89,10 @@ def _new(file: Path, folder: Path, options: ImportOptions, out: Output) -> int:
         f"Made {result.folder} with {result.targets_total} components to build ({result.kind})."
     )
     then = "plan" if result.is_inferred else "infer"
-    out.line(f"Next: sitewright check {result.folder}, then sitewright {then} {result.folder}")
+    rules = f" --rules {PANEL_RULES} --write" if result.is_laid_flat and then == "infer" else ""
+    out.line(
+        f"Next: sitewright check {result.folder}, then sitewright {then} {result.folder}{rules}"
+    )
     out.document(
         "sitewright.import/1",
         {

@@ -23,7 +23,11 @@ _SHOWN = 100
 @click.command()
 @project_argument
 @cell_option
-@click.option("--rules", type=FILE, help="TOML or JSON file of rules to add to the model's.")
+@click.option(
+    "--rules",
+    type=FILE,
+    help="Rules to add to the model's: a TOML or JSON file, or builtin:timber-panel.",
+)
 @click.option("--write", is_flag=True, help="Change building.json; keeps building.json.bak.")
 @json_option
 def infer(

@@ -166,7 +166,8 @@ class Cell:
     """Everything of the cell that does not change during a run.
 
     Attributes:
-        world_T_model: Places the building model in the cell.
+        world_T_model: Places the building model in the cell: its site, and how the model lies
+            there.
         clearance_m: Distance that every certified motion keeps.
         simulation: Settings of the simulated cell (``seed`` and noise; off unless asked for).
     """

@@ -80,6 +80,7 @@ def model_from(file: BuildingFile) -> BuildingModel:
         raw=file.raw,
         gravity=file.build.gravity,
         ground_z_m=file.build.ground_z_m,
+        site_T_model=pose_from(file.build.site_T_model),
     )
 
 

@@ -256,6 +256,7 @@ class BuildFile(FileModel):
 
     gravity: Point = (0.0, 0.0, -9.81)
     ground_z_m: Coordinate = 0.0
+    site_T_model: PoseFile = PoseFile()
 
 
 class MaterialFile(FileModel):

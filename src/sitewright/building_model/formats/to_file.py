@@ -40,7 +40,13 @@ def document_of(model: BuildingModel) -> Document:
             origin_shift_m=_plain(model.origin_shift_m) if any(model.origin_shift_m) else None,
             raw=_sorted(model.raw),
         ),
-        "build": {"gravity": _plain(model.gravity), "ground_z_m": _plain(model.ground_z_m)},
+        "build": {
+            "gravity": _plain(model.gravity),
+            "ground_z_m": _plain(model.ground_z_m),
+            **_kept(
+                site_T_model=None if model.site_T_model == Pose() else _pose(model.site_T_model)
+            ),
+        },
         **_kept(
             materials=_sorted(model.materials),
             component_types=_sorted(model.component_types),

@@ -13,7 +13,7 @@ from sitewright.building_model.findings import refused, warned
 from sitewright.building_model.inference.assembly import infer_assembly
 from sitewright.building_model.inference.bare import without_inferred
 from sitewright.building_model.inference.bodies import bodies_of
-from sitewright.building_model.inference.carrying import Bearing, bearing_of
+from sitewright.building_model.inference.carrying import Bearing, Edge, bearing_of
 from sitewright.building_model.inference.contradictions import contradictions
 from sitewright.building_model.inference.disassembly import Given, Step, build_order
 from sitewright.building_model.inference.fastening import Fastening, fasten, joints_of
@@ -27,6 +27,7 @@ from sitewright.building_model.inference.order_facts import (
     levels,
     new_relations,
     sequence_of,
+    stated_joints,
     with_joints,
 )
 from sitewright.building_model.inference.rules import Rules, rules_from
@@ -99,11 +100,14 @@ def _completed(
     joints = joints_of(components, interfaces, rules)
     bearing = bearing_of(given, bodies, interfaces, [(j.through, j.into) for j in joints])
     stated = stated_order(given, components)
-    steps = build_order(bearing, ways_of(bearing), stated)
+    steps = build_order(bearing, ways_of(bearing), _with_joints_first(stated, components))
     sequence = sequence_of(bearing, steps, stated.before)
     ground = (bearing.up, bearing.ground_m)
     fastening = fasten(components, bodies, joints, sequence.place, ground)
-    sequence = with_joints(sequence, fastening.joined)
+    joined = [*stated_joints(components.values()), *fastening.joined]
+    place = sequence.place
+    joined = [(a, b) for a, b in joined if a in place and place[a] < place[b]]
+    sequence = with_joints(sequence, joined)
     numbers = levels(sequence, stated.order)
     made = {
         s.id: _held(
@@ -120,7 +124,7 @@ def _completed(
     merged = {**given.component_by_id, **made, **{p.id: p for p in yard.pieces}}
     relations = new_relations(given, bearing, sequence)
     known = (*given.relations, *relations)
-    relations = (*relations, *_before(known, fastening, sequence.parents))
+    relations = (*relations, *_before(known, fastening.before, joined, sequence.parents))
     problems += [*fastening.problems, *yard.problems]
     problems += fit_problems(components, bodies, interfaces)
     problems += contradictions(given, bearing, sequence)
@@ -151,7 +155,7 @@ def _nailed(
     made = {i: _hanging(c) if i in held else c for i, c in made.items()}
     problems = [_with_fasteners(p, made) for p in problems]
     parents = {i: c.construction_parents for i, c in components.items()}
-    relations = _before(frame.relations, fastening, parents)
+    relations = _before(frame.relations, fastening.before, fastening.joined, parents)
     return replace(
         frame,
         component_by_id={**frame.component_by_id, **made},
@@ -187,6 +191,15 @@ def stated_order(model: BuildingModel, components: Mapping[ComponentId, Componen
         order={i: c.order for i, c in components.items() if c.order is not None},
         existing=frozenset(i for i, c in components.items() if c.layer is not Layer.TARGET),
     )
+
+
+def _with_joints_first(given: Given, components: Mapping[ComponentId, Component]) -> Given:
+    """Return the order as stated with what stated operations go into before their owners."""
+    before = dict(given.before)
+    for other, owner in stated_joints(components.values()):
+        if other in before and owner not in before[other]:
+            before[owner] |= {other}
+    return replace(given, before=before)
 
 
 def _fastened(component: Component, fastening: Fastening) -> Component:
@@ -237,12 +250,13 @@ def _normals(face: Interface) -> list[Vector]:
 
 def _before(
     relations: Iterable[Relation],
-    fastening: Fastening,
+    covered: Iterable[Edge],
+    joined: Iterable[Edge],
     parents: Mapping[ComponentId, Sequence[ComponentId]],
 ) -> list[Relation]:
     """Return which order fasteners ask for, where nothing says so yet."""
     known = {(r.a, r.b) for r in relations if r.kind is RelationKind.BEFORE}
-    why = dict.fromkeys(fastening.joined, _JOINED) | dict.fromkeys(fastening.before, _COVERED)
+    why = dict.fromkeys(joined, _JOINED) | dict.fromkeys(covered, _COVERED)
     return [
         Relation(kind=RelationKind.BEFORE, a=a, b=b, origin=Origin.INFERRED, data={"why": words})
         for (a, b), words in sorted(why.items())

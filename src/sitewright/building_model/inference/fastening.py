@@ -47,7 +47,7 @@ class Fastening:
     Attributes:
         operations: By the component that they secure: the later one of the two.
         before: (earlier, later): what is fastened before its entry face is covered.
-        joined: (earlier, later): what must be there for the later one to be fastened to.
+        joined: (earlier, later): what must be there for the later one to be fastened to it.
     """
 
     operations: Mapping[ComponentId, tuple[Operation, ...]]

@@ -79,6 +79,18 @@ def sequence_of(
     )
 
 
+def stated_joints(components: Iterable[Component]) -> list[Edge]:
+    """Return (other, owner) for what stated operations fasten their owners to."""
+    return [
+        (other, c.id)
+        for c in components
+        for operation in c.operations
+        if operation.fastener
+        for other in operation.on
+        if other != c.id
+    ]
+
+
 def with_joints(sequence: Assembling, joined: Iterable[Edge]) -> Assembling:
     """Return the sequence with what must be there for others (earlier, later) to be fastened."""
     before = dict(sequence.before)
