@@ -7,9 +7,12 @@ import pytest
 
 from builders_planning import STUD, SUPPORT_2, A, B, Rehearsal
 from sitewright.central_controller.blame import IsSolvable, reason_for, to_blame
+from sitewright.central_controller.fingerprint import fingerprint
+from sitewright.central_controller.ports import Planned
 from sitewright.central_controller.situation import jobsite_of
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import translation
+from sitewright.planning_twin import study
 from sitewright.planning_twin.feedback import Lessons
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import (
@@ -230,7 +233,13 @@ def test_where_no_refusal_is_to_blame_the_symbolic_planner_speaks() -> None:
     assert blamed(lambda _some: False) == f"{STUD}: No plan."
 
 
-def test_the_case_study_learned_that_the_nailer_is_in_the_way(frame: Rehearsal) -> None:
-    (note,) = frame.planned[SUPPORT_2].refusals
+def test_what_is_known_of_waiting_robots_is_what_refusals_would_teach(
+    frame: Rehearsal, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(study, "in_the_way_where_they_wait", lambda _context, _holdings: ())
+    taught = frame.proposals.propose(frame.before[SUPPORT_2])
+    assert isinstance(taught, Planned)
+    (note,) = taught.refusals
     assert note.reason.startswith(f"{A} cannot place thick.2 at {SUPPORT_2}: every posture")
     assert BodyId("nail-gun") in note.reason
+    assert fingerprint(taught.proposal) == fingerprint(frame.planned[SUPPORT_2].proposal)

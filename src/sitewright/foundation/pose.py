@@ -78,9 +78,10 @@ class Pose:
 
     def __post_init__(self) -> None:
         """Refuse numbers that are no rigid transform."""
-        if not all(math.isfinite(x) for x in (*self.position_m, *self.quaternion_wxyz)):
+        (x, y, z), (a, b, c, d) = self.position_m, self.quaternion_wxyz
+        if not math.isfinite(x + y + z + a + b + c + d):
             raise ValueError(f"a pose must be finite: {self.position_m}, {self.quaternion_wxyz}")
-        length = math.sqrt(sum(x * x for x in self.quaternion_wxyz))
+        length = math.sqrt(a * a + b * b + c * c + d * d)
         if abs(length - 1.0) > _UNIT_TOLERANCE:
             raise ValueError(f"quaternion {self.quaternion_wxyz} has length {length:.6f}, not 1")
 
@@ -201,15 +202,22 @@ def _multiply(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def _normalised(q: Quaternion) -> Quaternion:
-    length = math.sqrt(sum(x * x for x in q))
-    sign = -1.0 if q[0] < 0.0 else 1.0
-    return (sign * q[0] / length, sign * q[1] / length, sign * q[2] / length, sign * q[3] / length)
+    w, x, y, z = q
+    length = math.sqrt(w * w + x * x + y * y + z * z)
+    sign = -1.0 if w < 0.0 else 1.0
+    return (sign * w / length, sign * x / length, sign * y / length, sign * z / length)
 
 
 def _rotate(q: Quaternion, v: Vector) -> Vector:
-    u = (q[1], q[2], q[3])
-    t = scale(cross(u, v), 2.0)
-    return add(add(v, scale(t, q[0])), cross(u, t))
+    w, a, b, c = q
+    x, y, z = v
+    # t = 2 (a, b, c) x v, and v + w t + (a, b, c) x t
+    i, j, k = 2.0 * (b * z - c * y), 2.0 * (c * x - a * z), 2.0 * (a * y - b * x)
+    return (
+        x + w * i + (b * k - c * j),
+        y + w * j + (c * i - a * k),
+        z + w * k + (a * j - b * i),
+    )
 
 
 def _columns(x: Vector, y: Vector, z: Vector) -> Matrix3:

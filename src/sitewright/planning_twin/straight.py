@@ -88,6 +88,7 @@ class _Line:
         self._kinematics = kinematics
         self._description: Description = robot.description
         self._start, self._end = base_T_world @ start, base_T_world @ end
+        self._is_point = self._start.distance_to_m(self._end) < _SAME_M
 
     def pose(self, share: float) -> Pose:
         """Return base_T_tip at a share, 0..1, of the line."""
@@ -102,9 +103,10 @@ class _Line:
     def posture(self, share: float, near_rad: Joints) -> Joints | NoIk:
         """Return the posture nearest to another one that puts the tip on the line."""
         pose = self.pose(share)
-        here = self._kinematics.tip(self._description, near_rad)
-        if here.distance_to_m(pose) < _SAME_M and here.angle_to_rad(pose) < _SAME_RAD:
-            return near_rad
+        if share == 0.0 or self._is_point:
+            here = self._kinematics.tip(self._description, near_rad)
+            if here.distance_to_m(pose) < _SAME_M and here.angle_to_rad(pose) < _SAME_RAD:
+                return near_rad
         return self._kinematics.follow(self._description, pose, near_rad)
 
     def allowed_jump_rad(self, share: float) -> float:

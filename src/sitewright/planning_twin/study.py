@@ -11,6 +11,7 @@ from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, Refusal
 from sitewright.planning_twin.scope import scope_of
 from sitewright.planning_twin.study_facts import base_facts, out_of_reach, tools_at_spots
+from sitewright.planning_twin.study_waiting import in_the_way_where_they_wait
 from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import TwinContext
 from sitewright.planning_twin.wording import in_words, is_proof
@@ -75,7 +76,7 @@ def study(context: TwinContext, lies_at: Mapping[ComponentId, PlaceId]) -> Study
     refusals += _no_reach(context)
     might = [(r.id, p) for r, p in handlers]
     return Study(
-        base=base_facts(context, might, holdings, lies_at),
+        base=_base(context, might, holdings, lies_at),
         holdings=holdings,
         refusals=tuple(refusals),
         lies_at=lies_at,
@@ -101,9 +102,20 @@ def with_another_grasp(
     might = [(r.id, p) for r, p in _handlers(context)]
     return replace(
         studied,
-        base=base_facts(context, might, holdings, studied.lies_at),
+        base=_base(context, might, holdings, studied.lies_at),
         holdings=holdings,
     )
+
+
+def _base(
+    context: TwinContext,
+    might: list[tuple[RobotId, ComponentId]],
+    holdings: Mapping[tuple[RobotId, ComponentId], Holding],
+    lies_at: Mapping[ComponentId, PlaceId],
+) -> GeometricFacts:
+    facts = base_facts(context, might, holdings, lies_at)
+    waiting = frozenset(in_the_way_where_they_wait(context, holdings))
+    return replace(facts, excludes=facts.excludes | waiting)
 
 
 def _holding(context: TwinContext, robot: Robot, piece: ComponentId) -> Holding | Refusal | None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Hashable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -15,7 +14,9 @@ from sitewright.foundation.pose import Pose
 from sitewright.foundation.shapes import Box, Hull, Shape
 from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.layout import Layout
+from sitewright.planning_twin.backends.pair_table import Indices
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
+from sitewright.planning_twin.backends.remembered import Remembered
 from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot, link_name, pair_of
 from sitewright.robot_team.description import JointKind
 
@@ -52,6 +53,7 @@ class MujocoCell:
             robot: [int(self.model.joint(j).qposadr[0]) for j in joints]
             for robot, joints in writer.joints_of.items()
         }
+        self._standing: dict[RobotId, tuple[Indices, Indices]] = {}
         self._is_carried_by = {
             robot: np.array([writer.robot_of.get(n) == robot for n in self._names()])
             for robot in scene.robots
@@ -104,14 +106,34 @@ class MujocoCell:
         """Return the names of two bodies."""
         return pair_of(self.name_by_body[a], self.name_by_body[b])
 
-    def table(self, values: Mapping[Pair, float], *, otherwise: float) -> Array:
-        """Return a value for each pair of body numbers, n x n, symmetric."""
+    def table(
+        self, robot: RobotId, standing: float, otherwise: float, values: Mapping[Pair, float]
+    ) -> Array:
+        """Return a value for each pair of body numbers, n x n, symmetric.
+
+        Args:
+            robot: Whose motion the pairs are about.
+            standing: Of pairs that count and that the robot does not change.
+            otherwise: Of all others.
+            values: Of some pairs, whatever they are.
+        """
         table = np.full((self.model.nbody, self.model.nbody), otherwise)
-        for (one, other), value in values.items():
-            a, b = self._body_by_name.get(one), self._body_by_name.get(other)
-            if a is not None and b is not None:
-                table[a, b] = table[b, a] = value
+        if robot not in self._standing:
+            self._standing[robot] = self._numbers(self.layout.standing_of[robot].names)
+        a, b = self._standing[robot]
+        table[a, b] = table[b, a] = standing
+        a, b = self._numbers(values)
+        table[a, b] = table[b, a] = [v for p, v in values.items() if self._is_here(p)]
         return table
+
+    def _numbers(self, pairs: Iterable[Pair]) -> tuple[Indices, Indices]:
+        number = self._body_by_name
+        here = [(number[a], number[b]) for a, b in pairs if self._is_here((a, b))]
+        rows = np.array(here, dtype=np.intp).reshape(-1, 2)
+        return rows[:, 0], rows[:, 1]
+
+    def _is_here(self, pair: Pair) -> bool:
+        return pair[0] in self._body_by_name and pair[1] in self._body_by_name
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,18 +241,12 @@ class MujocoCells:
 
     def __init__(self, proofs: ProofScenes) -> None:
         self._proofs = proofs
-        self._cells: OrderedDict[Hashable, MujocoCell] = OrderedDict()
+        self._cells: Remembered[MujocoCell] = Remembered(size=_CELLS_REMEMBERED)
 
     def of(self, scene: SceneSnapshot) -> MujocoCell:
         """Return the model with everything where the snapshot has it."""
         layout = self._proofs.of(scene).layout
-        bases = tuple(s.world_T_base for s in scene.robots.values())
-        key = (scene.clearance_m, id(layout), bases)
-        if key not in self._cells:
-            self._cells[key] = MujocoCell(scene, scene.clearance_m, layout)
-            if len(self._cells) > _CELLS_REMEMBERED:
-                self._cells.popitem(last=False)
-        self._cells.move_to_end(key)
-        found = self._cells[key]
+        key = (scene.clearance_m, id(layout))  # the cell keeps its layout
+        found = self._cells.of(key, lambda: MujocoCell(scene, scene.clearance_m, layout))
         found.place(scene)
         return found

@@ -48,7 +48,7 @@ class MujocoCrossCheck(CrossCheck):
         seen = _seen(cell, robot, postures, set(firsts.tolist()))
         closest_m = cell.margin_m
         if seen is not None:
-            limits = self._limits(scene, timed, cell)
+            limits = _limits(cell, timed, scene.clearance_m)
             a, b = seen.bodies.T
             tau_m = limits.tau_m[segments[seen.sample], a, b]
             too_near = np.flatnonzero(seen.distance_m < tau_m)
@@ -66,19 +66,6 @@ class MujocoCrossCheck(CrossCheck):
             samples=len(times), closest_distance_m=closest_m, engine=f"mujoco {mujoco.__version__}"
         )
 
-    def _limits(self, scene: SceneSnapshot, timed: TimedPath, cell: MujocoCell) -> _Limits:
-        clearance_m = scene.clearance_m
-        names = self._proofs.of(scene).layout.standing_of[timed.path.robot].names
-        share_m = dict.fromkeys(names, STANDING_SHARE * clearance_m)
-        quiet = dict.fromkeys(names, 0.0)
-        declared = [s.threshold_m for s in timed.path.segments]
-        return _Limits(
-            tau_m=np.array([cell.table({**share_m, **d}, otherwise=clearance_m) for d in declared]),
-            is_telling=np.array(
-                [cell.table({**quiet, **dict.fromkeys(d, 0.0)}, otherwise=1.0) for d in declared]
-            ),
-        )
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Limits:
@@ -86,6 +73,14 @@ class _Limits:
 
     tau_m: Array
     is_telling: Array
+
+
+def _limits(cell: MujocoCell, timed: TimedPath, clearance_m: float) -> _Limits:
+    robot, share_m = timed.path.robot, STANDING_SHARE * clearance_m
+    declared = [s.threshold_m for s in timed.path.segments]
+    telling = [cell.table(robot, 0.0, 1.0, dict.fromkeys(d, 0.0)) for d in declared]
+    tau_m = [cell.table(robot, share_m, clearance_m, d) for d in declared]
+    return _Limits(tau_m=np.array(tau_m), is_telling=np.array(telling))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
+from typing import cast
 
 import numpy as np
 
 from sitewright.foundation.ids import RobotId
+from sitewright.foundation.pose import Pose
 from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.backends.arm_model import ArmModel, arm_model
 from sitewright.planning_twin.backends.convex_part import compiled
 from sitewright.planning_twin.backends.identity_cache import IdentityCache
 from sitewright.planning_twin.backends.kinematic_chain import Array, matrix_of
 from sitewright.planning_twin.backends.layout import Layout, attachment, laid_out
-from sitewright.planning_twin.scene import Attachment, SceneSnapshot
+from sitewright.planning_twin.backends.remembered import Remembered
+from sitewright.planning_twin.scene import Body, SceneSnapshot
 from sitewright.robot_team.description import Description
 
 _ARMS_REMEMBERED = 16
@@ -65,7 +67,8 @@ class ProofScenes:
         self._revision_of = IdentityCache(SceneSnapshot.revision, size=_SCENES_REMEMBERED)
         self._scene_of = IdentityCache(self._compile, size=_SCENES_REMEMBERED)
         self._arm_of = IdentityCache(arm_model, size=_ARMS_REMEMBERED)
-        self._layouts: OrderedDict[Hashable, Layout] = OrderedDict()
+        self._layouts: Remembered[Layout] = Remembered(size=_LAYOUTS_REMEMBERED)
+        self._frames: Remembered[Array] = Remembered(size=_SHAPES_REMEMBERED)
         self._number_of = IdentityCache(_shape_numbers(), size=_SHAPES_REMEMBERED)
 
     def of(self, scene: SceneSnapshot) -> ProofScene:
@@ -82,15 +85,11 @@ class ProofScenes:
 
     def _compile(self, scene: SceneSnapshot) -> ProofScene:
         layout = self._layout(scene)
-        still = [
-            matrix_of(body.placement) @ part.body_T_part
-            for body in scene.bodies.values()
-            if not isinstance(body.placement, Attachment)
-            for part in map(compiled, body.shape)
-        ]
+        still = [self._standing(b) for b in scene.bodies.values() if attachment(b) is None]
         world_T_part = np.zeros((len(layout.parts), 4, 4))
         if still:
-            world_T_part[: len(still)] = np.array(still)
+            frames = np.concatenate(still)
+            world_T_part[: len(frames)] = frames
         proof = ProofScene(
             layout=layout,
             world_T_base={r: matrix_of(s.world_T_base) for r, s in scene.robots.items()},
@@ -103,18 +102,21 @@ class ProofScenes:
             world_T_part[rows] = proof.placed(robot, posture)[0, rows]
         return proof
 
+    def _standing(self, body: Body) -> Array:
+        """Return world_T_part of a body that stands, part by part."""
+        pose = cast("Pose", body.placement)
+
+        def placed() -> Array:
+            parts = [part.body_T_part for part in map(compiled, body.shape)]
+            return matrix_of(pose) @ np.array(parts).reshape(-1, 4, 4)
+
+        return self._frames.of((self._number_of(body.shape), pose), placed)
+
     def _layout(self, scene: SceneSnapshot) -> Layout:
         arms = {r: self._arm_of(s.description) for r, s in scene.robots.items()}
-        key = (
-            tuple((r, id(arm)) for r, arm in arms.items()),
-            tuple((b.id, self._number_of(b.shape), attachment(b)) for b in scene.bodies.values()),
-        )
-        if key not in self._layouts:
-            self._layouts[key] = laid_out(scene, arms)
-            if len(self._layouts) > _LAYOUTS_REMEMBERED:
-                self._layouts.popitem(last=False)
-        self._layouts.move_to_end(key)
-        return self._layouts[key]
+        robots = tuple((r, id(arms[r]), s.world_T_base) for r, s in scene.robots.items())
+        bodies = ((b.id, self._number_of(b.shape), attachment(b)) for b in scene.bodies.values())
+        return self._layouts.of((robots, tuple(bodies)), lambda: laid_out(scene, arms))
 
 
 def _shape_numbers() -> Callable[[Shape], int]:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 import numpy as np
@@ -13,6 +12,7 @@ from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.layout import Layout
 from sitewright.planning_twin.backends.pair_table import Indices
 from sitewright.planning_twin.backends.proof_scene import ProofScene, ProofScenes
+from sitewright.planning_twin.backends.remembered import Remembered
 from sitewright.planning_twin.backends.search_model import SearchModel
 from sitewright.planning_twin.backends.team_pairs import tables_of
 from sitewright.planning_twin.scene import Pair, SceneSnapshot
@@ -108,7 +108,7 @@ class SearchScenes:
 
     def __init__(self, proofs: ProofScenes) -> None:
         self._proofs = proofs
-        self._scenes: OrderedDict[Hashable, SearchScene] = OrderedDict()
+        self._scenes: Remembered[SearchScene] = Remembered(size=_SCENES_REMEMBERED)
 
     def of(self, scene: SceneSnapshot, margin_m: float, robots: tuple[RobotId, ...]) -> SearchScene:
         """Return a search scene with everything where the snapshot has it.
@@ -119,14 +119,11 @@ class SearchScenes:
             robots: Who moves; only their pairs are looked at.
         """
         proof = self._proofs.of(scene)
-        bases = tuple(s.world_T_base for s in scene.robots.values())
-        key = (margin_m, id(proof.layout), bases)
-        if key not in self._scenes:
-            self._scenes[key] = SearchScene(proof, margin_m)
-            if len(self._scenes) > _SCENES_REMEMBERED:
-                self._scenes.popitem(last=False)
-        self._scenes.move_to_end(key)
-        found = self._scenes[key]
+        key = (
+            margin_m,
+            id(proof.layout),
+        )  # the scene keeps its layout, so no other one gets its id
+        found = self._scenes.of(key, lambda: SearchScene(proof, margin_m))
         found.place(proof, scene, robots)
         return found
 
