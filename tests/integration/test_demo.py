@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -11,6 +12,12 @@ from typing import Any
 
 import psutil
 import pytest
+
+from sitewright.app.explaining_steps import explain_step
+from sitewright.app.project import open_project
+from sitewright.interaction_twin.labels import labels_of
+from sitewright.interaction_twin.step_words import explanation
+from sitewright.robot_team.skill import Skill
 
 PROGRAM = Path(sys.executable).with_name("sitewright")
 
@@ -109,6 +116,46 @@ def test_what_was_built_can_be_looked_at(folder: Path, demo: dict[str, Any]) -> 
     before = (folder / demo["folder"] / "report.json").read_bytes()
     sitewright("report", project, cwd=folder)
     assert (folder / demo["folder"] / "report.json").read_bytes() == before
+
+
+@pytest.mark.slow
+def test_every_step_of_a_plan_says_why_it_is_there(folder: Path, demo: dict[str, Any]) -> None:
+    project = open_project(folder / "sitewright-demo")
+    labels = labels_of(project.model, project.cell)
+    for plan in (p for p in demo["plans"] if p["target"] in {"support-2", "stud-1"}):
+        for number in range(1, plan["steps"] + 1):
+            reasons = explain_step(project, number, code=plan["code"])
+            assert reasons.status == "done"
+            assert reasons.needed_by or reasons.lasting
+            assert {x.fact for x in reasons.made_possible_by} == set(reasons.step.relies_on)
+            text = "\n".join(explanation(reasons, labels))
+            assert "{" not in text
+            if reasons.act.skill == Skill.FASTEN:
+                assert reasons.stance is not None
+                assert 0.0 <= (reasons.stance.lean_rad or 0.0) <= math.radians(10.01)
+            if reasons.step.call.skill == Skill.GRASP:
+                nearest = next(p for p in reasons.pieces if not p.under)
+                assert nearest.piece == reasons.piece
+                assert reasons.stance is not None
+                assert reasons.stance.from_above_rad == pytest.approx(0.0, abs=math.radians(46))
+
+
+@pytest.mark.slow
+def test_a_step_explains_itself_at_the_command_line(folder: Path, demo: dict[str, Any]) -> None:
+    words = ("explain", "step", "3", "sitewright-demo", "--target", "stud-1")
+    code, out, _ = sitewright(*words, cwd=folder)
+    assert code == 0
+    assert "Why thin.5\n  the only one that could be taken" in out
+    assert "under others: thin.4, thin.3" in out or "under others: thin.1" in out
+    _, out, _ = sitewright(*words, "--json", cwd=folder)
+    told = json.loads(out)
+    assert (told["schema"], told["topic"]) == ("sitewright.explain/1", "step")
+    assert told["target"] == "stud-1"
+    assert told["code"] in {p["code"] for p in demo["plans"]}
+    code, _, err = sitewright("explain", "step", "77", "sitewright-demo", cwd=folder)
+    assert (code, "there is no step 77" in err) == (7, True)
+    code, _, err = sitewright(*words[:-1], "stud-9", cwd=folder)
+    assert (code, "no proposal for 'stud-9'" in err) == (7, True)
 
 
 @pytest.mark.slow

@@ -14,11 +14,9 @@ from sitewright.symbolic_planning.planner import NoPlan, SkillSequence
 from sitewright.symbolic_planning.planners.builtin import BuiltinPlanner
 from sitewright.symbolic_planning.problem import Problem, problem_for
 from sitewright.symbolic_planning.reasons import (
-    causal_links,
     effects,
     facts_that_fail,
     relies_on,
-    why,
 )
 from sitewright.symbolic_planning.validation import InvalidStep, ValidPlan, validate
 from sitewright.symbolic_planning.vocabulary import built_in_domain
@@ -68,19 +66,6 @@ def test_facts_that_do_not_hold_any_more_are_found(problem: Problem) -> None:
 def test_a_text_that_is_no_fact_is_refused() -> None:
     with pytest.raises(BackendError, match=r"\(wet floor\)"):
         facts_that_fail(("(wet floor)",), site())
-
-
-def test_a_nail_is_driven_because_the_stud_is_in_place(
-    problem: Problem, plan: SkillSequence
-) -> None:
-    links = causal_links(problem, plan.actions)
-    number = 1 + next(k for k, c in enumerate(plan.calls) if c.skill == "position")
-    served = {plan.calls[x.consumer - 1].skill for x in why(links, number) if x.consumer}
-    assert {"fasten", "release"} <= served
-    assert all(0 <= x.producer < (x.consumer or len(plan.calls) + 1) for x in links)
-    assert {x.fact for x in links if x.consumer is None} == {
-        problem.in_site_ids(f) for f in problem.goal
-    }
 
 
 def test_a_left_out_step_is_named_with_what_is_missing(

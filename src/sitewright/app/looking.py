@@ -43,34 +43,51 @@ def graph_at(project: Project, site: SiteState) -> ConstructionGraph:
     return graph_now(project.model, project.cell, context)
 
 
-def find_proposal(project: Project, code: str | None = None) -> FoundProposal:
-    """Return the one proposal with a check code or fingerprint, or the newest of all.
+def find_proposal(
+    project: Project, code: str | None = None, target: str | None = None
+) -> FoundProposal:
+    """Return a proposal of the project's runs.
+
+    Args:
+        project: The project.
+        code: Its check code or fingerprint; only one proposal may have it.
+        target: Only proposals for this target count.
+
+    Returns:
+        The one with the code, else the newest.
 
     Raises:
-        ApprovalError: None has it, or more than one.
+        ApprovalError: There is none, or more than one.
     """
+    wanted = (code or "").strip()
+    fitting = [f for f in _newest_first(project) if _has_code(f[1], wanted)]
+    if wanted and len({digest for _, digest in fitting}) > 1:
+        raise ApprovalError(
+            f"{len(fitting)} proposals have the code {wanted}; give the whole fingerprint."
+        )
+    for folder, digest in fitting:
+        found = _loaded(folder, digest)
+        if target in {None, found.proposal.target}:
+            return found
+    which = f"with the code {wanted} " if wanted else ""
+    about = f"for {target!r} " if target is not None else ""
+    raise ApprovalError(f"There is no proposal {which}{about}in {project.folder / 'runs'}.")
+
+
+def _newest_first(project: Project) -> list[tuple[RunFolder, str]]:
     files = [
-        (file.stat().st_mtime_ns, folder, file.stem)
+        (file.stat().st_mtime_ns, file.stem, folder)
         for folder in run_folders(project.folder / "runs")
         for file in (folder.path / "proposals").glob("*.json")
     ]
-    wanted = (code or "").strip()
-    fitting = [f for f in files if wanted.upper() == check_code(f[2]) or f[2] == wanted.lower()]
-    if not wanted:
-        fitting = sorted(files, key=lambda f: (f[0], f[2]))[-1:]
-    if len({f[2] for f in fitting}) != 1:
-        raise ApprovalError(_none_or_many(project, wanted, len(fitting)))
-    _, folder, digest = fitting[0]
-    return _loaded(folder, digest)
+    files.sort(key=lambda f: f[:2], reverse=True)
+    return [(folder, digest) for _, digest, folder in files]
+
+
+def _has_code(digest: str, wanted: str) -> bool:
+    return not wanted or wanted.upper() == check_code(digest) or wanted.lower() == digest
 
 
 def _loaded(folder: RunFolder, digest: str) -> FoundProposal:
     proposal = folder.load_proposal(digest)
     return FoundProposal(run=folder.run, fingerprint=digest, proposal=proposal)
-
-
-def _none_or_many(project: Project, code: str, count: int) -> str:
-    if count:
-        return f"{count} proposals have the code {code}; give the whole fingerprint."
-    which = f"with the code {code} " if code else ""
-    return f"There is no proposal {which}in {project.folder / 'runs'}."

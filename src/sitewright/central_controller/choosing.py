@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from sitewright.building_model.matching import fits, material_type_of
 from sitewright.central_controller.design import Design
@@ -10,7 +11,13 @@ from sitewright.central_controller.ports import SiteContext
 from sitewright.central_controller.situation import target_node
 from sitewright.central_controller.wishes import put_off, wanted_pieces
 from sitewright.construction_graph.graph import ConstructionGraph
-from sitewright.construction_graph.queries import accessible_materials, is_ready
+from sitewright.construction_graph.queries import (
+    accessible_materials,
+    children,
+    is_ready,
+    material_type,
+    materials,
+)
 from sitewright.construction_graph.queue import target_queue
 from sitewright.foundation.ids import ComponentId
 from sitewright.robot_team.cell import Capability
@@ -34,6 +41,37 @@ def front_target(
     ready.sort(key=lambda t: (t in later, not _held(design, graph, context, t)))
     supplied = (t for t in ready if choices_of_pieces(design, graph, context, t) != [()])
     return next(iter(started), None) or next(supplied, None) or next(iter(ready), None)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PieceOnSite:
+    """A piece of stock that is right for a target.
+
+    Attributes:
+        distance_m: From the middle of its box to the nearest base of a robot that may grasp.
+        under: What lies on it; empty if it can be taken now.
+    """
+
+    piece: ComponentId
+    distance_m: float
+    under: tuple[ComponentId, ...]
+
+
+def pieces_for(
+    design: Design, graph: ConstructionGraph, context: SiteContext, target: ComponentId
+) -> tuple[PieceOnSite, ...]:
+    """Return all pieces that are right for a target, buried ones too, the nearest first."""
+    wanted = target_node(graph, target).material_type
+    found = [
+        PieceOnSite(
+            piece=node.id,
+            distance_m=_distance(design, context, node.id),
+            under=children(graph, node.id),
+        )
+        for node in materials(graph)
+        if fits(material_type(node), wanted)
+    ]
+    return tuple(sorted(found, key=lambda p: (p.distance_m, p.piece)))
 
 
 def choices_of_pieces(

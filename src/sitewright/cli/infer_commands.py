@@ -66,7 +66,7 @@ def infer(
 
 @click.group()
 def explain() -> None:
-    """Say why: where a component's facts come from, why it comes when it comes."""
+    """Say why: a component's facts, its place in the order, a step of a plan."""
 
 
 @explain.command("component")
@@ -89,6 +89,38 @@ def order_(component: str, project: Path, is_json: bool) -> int:  # noqa: FBT001
     from sitewright.app.explaining import explain_order
 
     return _say(is_json, "order", component, explain_order(project, component))
+
+
+@explain.command("step")
+@click.argument("step", type=click.IntRange(min=1))
+@project_argument
+@click.option("--code", help="Check code of the plan; the newest plan by default.")
+@click.option("--target", help="The newest plan for this component.")
+@cell_option
+@json_option
+def step_(
+    step: int,
+    project: Path,
+    code: str | None,
+    target: str | None,
+    cell: Path | None,
+    is_json: bool,  # noqa: FBT001 -- click
+) -> int:
+    """Say why STEP of a plan is there, why by this robot, with this piece, and in this way."""
+    from sitewright.app.explaining_steps import explain_step
+    from sitewright.app.project import read_project
+    from sitewright.interaction_twin.labels import labels_of
+    from sitewright.interaction_twin.step_document import step_document
+    from sitewright.interaction_twin.step_words import explanation
+
+    opened, out = read_project(project, cell=cell), Output(is_json)
+    reasons = explain_step(opened, step, code=code, target=target)
+    lines = explanation(reasons, labels_of(opened.model, opened.cell))
+    for line in lines:
+        out.line(line)
+    document = {"topic": "step", "id": str(step), "lines": list(lines), **step_document(reasons)}
+    out.document("sitewright.explain/1", document)
+    return 0
 
 
 def change_lines(changes: Sequence[Change]) -> Iterator[str]:

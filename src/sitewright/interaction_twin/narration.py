@@ -25,6 +25,7 @@ ARGUMENT_NAMES: Mapping[str, tuple[str, ...]] = {
 
 _ACTS = {Skill.FASTEN, Skill.APPLY_FINISH}
 _MOVES = {Skill.REACH, Skill.RETRACT}
+_NOT = "(not "
 
 
 def narrate(call: SkillCall, labels: Labels, book: Phrasebook = ENGLISH) -> str:
@@ -61,6 +62,8 @@ def _words(site_id: str, labels: Labels, book: Phrasebook) -> str:
     match label.kind:
         case Kind.OPERATION:
             return book.of.format(operation=label.name, component=labels.name(label.of))
+        case Kind.PIECE:
+            return label.name.removeprefix(book.piece)
         case _:
             return label.name
 
@@ -90,6 +93,13 @@ def reason(
                 return book.because.format(robot=labels.name(later.call.robot), need=need)
         made -= {e.removeprefix("(not ").removesuffix(")") for e in later.effects}
     return ""
+
+
+def fact_in_words(fact: str, labels: Labels, book: Phrasebook = ENGLISH) -> str:
+    """Return a fact in plain words; one without template is spelled."""
+    if fact.startswith(_NOT):
+        return book.step["not"].format(fact=fact_in_words(fact[len(_NOT) : -1], labels, book))
+    return _need(fact, labels, book) or fact.strip("()")
 
 
 def _need(fact: str, labels: Labels, book: Phrasebook) -> str:

@@ -20,6 +20,8 @@ class Phrasebook:
         because: Joins what is needed by whom; ``{need}`` and ``{robot}``.
         run: Template of a folded run, by process; ``{count}`` and ``{target}``.
         of: An operation with its component, ``{operation}`` and ``{component}``.
+        piece: Word that a piece's own name may begin with, and templates say before it.
+        step: Sentences that say why a step is as it is.
     """
 
     language: str
@@ -28,7 +30,53 @@ class Phrasebook:
     because: str
     run: Mapping[str, tuple[str, str]]
     of: str
+    piece: str
+    step: Mapping[str, str]
 
+
+STEP_ENGLISH: Mapping[str, str] = {
+    "title": "Step {number} of {count} of the plan for {target}: {status}",
+    "plan": "Check code {code}, run {run}",
+    "why": "Why it is there",
+    "serves": "{fact}: needed by step {number}, {words}",
+    "serves-many": "{fact}: needed by steps {numbers}, first {words}",
+    "asked": "{fact}: what the design asks for",
+    "lasts": "{fact}: so it stays to the end of the plan",
+    "leads": "it leads to step {number}, {words} (by way of {way})",
+    "no-use": "no later step needs it",
+    "possible": "What makes it possible",
+    "made": "{fact}: brought about by step {number}, {words}",
+    "given": "{fact}: so it was before the plan",
+    "not": "not {fact}",
+    "robot": "Why {robot}",
+    "able": "it does {by}",
+    "only-moves": "it is the one that has to move",
+    "for-act": "the move is for what {words}",
+    "other": "not {robot}: {obstacle}",
+    "either": "{robot} might do it too; of the plans looked at this one takes the least time",
+    "piece": "Why {piece}",
+    "nearest": "nearest to a robot that may grasp of the {count} that could be taken: {distance}",
+    "only": "the only one that could be taken: {distance} from a robot that may grasp",
+    "not-nearest": "{distance} from a robot that may grasp; nearer ones were refused or not wanted",
+    "held": "it is in hand, or in place, already",
+    "aside": "it is no piece for {target}: it is moved out of the way",
+    "farther": "further away: {pieces}",
+    "buried": "under others: {pieces}",
+    "how": "How",
+    "closest": "{distance} is the closest that {pair} come; at least {clearance} are kept",
+    "proof": "proven for {pairs} pairs by {engine}; {second} saw no contact at {samples} points",
+    "still": "no joint moves: the end effector acts",
+    "joined": "no motion of its own: it is one with the robot's next one",
+    "lean": "the tool leans {angle}",
+    "upright": "the tool stands upright on it",
+    "grip": "the gripper holds the piece {distance} from its middle, {angle} from straight down",
+    "pose": "the piece stands at {position}",
+    "takes": "{duration}",
+    "touch": "may touch: {pairs}",
+    "refused": "What was refused here",
+    "refused-other": "What was refused for other steps of this plan",
+    "nothing": "nothing was refused on the way to this plan",
+}
 
 ENGLISH = Phrasebook(
     language="en",
@@ -67,6 +115,10 @@ ENGLISH = Phrasebook(
         "lies-at": "{0} at {1}",
         "accessible": "{0} uncovered",
         "steadying": "{1} held by {0}",
+        "at": "{0} at {1}",
+        "in-transit": "{0} free to go",
+        "mobile": "{0} free to leave",
+        "pending": "{0} still open",
     },
     because="because {robot} needs {need}",
     run={
@@ -75,6 +127,8 @@ ENGLISH = Phrasebook(
         "paint": ("paints 1 face of {target}", "paints {count} faces of {target}"),
     },
     of="{operation} of {component}",
+    piece="piece ",
+    step=STEP_ENGLISH,
 )
 
 PHRASEBOOKS: Mapping[str, Phrasebook] = {book.language: book for book in (ENGLISH,)}

@@ -1,9 +1,8 @@
-"""What each step relies on, what it changes, and what it is good for: facts in site ids."""
+"""What each step relies on and what it changes: facts in site ids."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable
 
 from sitewright.errors import BackendError
 from sitewright.symbolic_planning.domain import Fact
@@ -54,36 +53,3 @@ def facts_that_fail(facts: Iterable[str], view: SiteView) -> tuple[str, ...]:
         if is_true == is_negative:
             failing.append(text)
     return tuple(failing)
-
-
-@dataclass(frozen=True, slots=True)
-class CausalLink:
-    """Step `producer` makes `fact` true, which step `consumer` needs.
-
-    Attributes:
-        producer: Number of the step, 1 for the first; 0 is the present state.
-        consumer: Number of the step; None is the goal.
-        fact: Predicate and site ids.
-    """
-
-    producer: int
-    consumer: int | None
-    fact: Fact
-
-
-def causal_links(problem: Problem, actions: Sequence[GroundAction]) -> tuple[CausalLink, ...]:
-    """Return who makes true what whom needs, by consumer; the goal comes last."""
-    made_by: dict[Fact, int] = dict.fromkeys(problem.init, 0)
-    links: list[CausalLink] = []
-    for number, action in enumerate(actions, start=1):
-        links.extend(
-            CausalLink(made_by[f], number, problem.in_site_ids(f)) for f in sorted(action.needs)
-        )
-        made_by.update(dict.fromkeys(action.adds, number))
-    links.extend(CausalLink(made_by[f], None, problem.in_site_ids(f)) for f in sorted(problem.goal))
-    return tuple(links)
-
-
-def why(links: Iterable[CausalLink], number: int) -> tuple[CausalLink, ...]:
-    """Return what a step is good for: the links that start at it."""
-    return tuple(link for link in links if link.producer == number)
