@@ -19,7 +19,7 @@ from sitewright.central_controller.site_state import site_of
 from sitewright.construction_graph.build import graph_of
 from sitewright.foundation.ids import ComponentId, RunId
 
-Progress = Callable[[str], None]
+Progress = Callable[[str, str], None]
 _REHEARSAL = RunId("rehearsal")
 
 
@@ -63,10 +63,10 @@ def plan_project(
     Args:
         project: An opened project.
         target: Stop after this one; None plans the whole building.
-        on_progress: Called with a line for people after each target.
+        on_progress: Called after each target with its id and what became of it, in words.
     """
     proposals = proposals_of(project)
-    say = on_progress or (lambda _line: None)
+    say = on_progress or (lambda _target, _words: None)
     context = start_of(project)
     planned: list[Planned] = []
     escalated: list[Escalation] = []
@@ -79,10 +79,10 @@ def plan_project(
                 break
             case Escalation(target=component, reason=reason):
                 escalated.append(outcome)
-                say(f"{component}: refused: {reason}")
+                say(component, f"refused: {reason}")
             case Planned(proposal=proposal):
                 planned.append(outcome)
-                say(f"{proposal.target}: {len(proposal.steps)} steps ({len(planned)}/{total})")
+                say(proposal.target, f"{len(proposal.steps)} steps ({len(planned)}/{total})")
                 context = rehearsed(context, proposal)
                 if proposal.target == target:
                     break

@@ -40,6 +40,8 @@ def failed(error: BaseException, arguments: Sequence[str]) -> int:
 
 def _what(error: BaseException) -> tuple[int, str]:
     match error:
+        case ModelRejectedError() | CellRejectedError():
+            return error.exit_code, _rejected(error)
         case SitewrightError():
             return error.exit_code, str(error)
         case click.Abort() | KeyboardInterrupt():
@@ -50,6 +52,15 @@ def _what(error: BaseException) -> tuple[int, str]:
             return INTERNAL, f"{name}: {why}"
         case _:
             return INTERNAL, f"{type(error).__name__}: {error}"
+
+
+def _rejected(error: ModelRejectedError | CellRejectedError) -> str:
+    """Say what is wrong with a file; what many of its components share is said once."""
+    from sitewright.interaction_twin.problem_lines import problem_lines
+
+    count = len(error.problems)
+    lines = (f"\n  {line}" for line in problem_lines(error.problems))
+    return f"{error.file}: {count} problem{'s' if count != 1 else ''}{''.join(lines)}"
 
 
 def _document(error: BaseException, code: int, message: str) -> dict[str, Json]:

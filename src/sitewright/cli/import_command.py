@@ -83,8 +83,7 @@ def _new(file: Path, folder: Path, options: ImportOptions, out: Output) -> int:
     from sitewright.app.inferring import PANEL_RULES
 
     result = import_file(file, folder, options)
-    for problem in result.problems:
-        out.note(str(problem))
+    out.notes(result.problems)
     out.line(
         f"Made {result.folder} with {result.targets_total} components to build ({result.kind})."
     )
@@ -113,8 +112,7 @@ def _changed(file: Path, folder: Path, options: ImportOptions, wishes: Wishes, o
         out.line(line)
     for line in conflict_lines(found.conflicts):
         out.line(line)
-    for problem in found.problems:
-        out.note(str(problem))
+    out.notes(found.problems)
     out.line(_summary(found))
     out.document("sitewright.reimport/1", _document(found))
     return _INVALID if found.is_refused else 0

@@ -45,8 +45,7 @@ def infer(
     found = infer_project(project, rules=rules, write=write, cell=cell)
     for line in change_lines(found.changes):
         out.line(line)
-    for problem in found.problems:
-        out.note(str(problem))
+    out.notes(found.problems)
     if found.is_written:
         out.line(f"{len(found.changes)} changes written; the old model is {project / BACKUP}.")
     elif found.changes:

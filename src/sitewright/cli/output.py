@@ -31,6 +31,13 @@ class Output:
         """Print progress."""
         click.echo(words, err=True)
 
+    def notes(self, problems: Sequence[Problem]) -> None:
+        """Print problems beside the result; what many components share is said once."""
+        from sitewright.interaction_twin.problem_lines import problem_lines
+
+        for line in problem_lines(problems):
+            self.note(line)
+
     def document(self, schema: str, content: Mapping[str, Json]) -> None:
         """Print the result as JSON, if JSON was asked for."""
         if self.is_json:

@@ -80,9 +80,11 @@ def plan(
 
     opened, out = open_project(project, cell=cell), Output(is_json)
     _require_target(opened, target)
-    with Dialogue() as dialogue:
-        found = plan_project(opened, target, dialogue.say)
     labels = labels_of(opened.model, opened.cell)
+    with Dialogue() as dialogue:
+        found = plan_project(
+            opened, target, lambda t, words: dialogue.say(f"{labels.name(t)}: {words}")
+        )
     for planned in found.planned:
         for line in _plan_lines(planned, labels, is_long=steps):
             out.line(line)
