@@ -149,8 +149,9 @@ def test_problems_are_listed_all_at_once_and_end_with_three(
     assert code == 3
     assert document(out)["schema"] == "sitewright.error/1"
     assert len(document(out)["problems"]) >= 3
-    assert err.count("suport-2") == 1, "what three studs share is said once"
+    assert err.count("suport-2") == 2, "once for three parents, once for six operations"
     assert " 3 times: " in err
+    assert " 6 times: " in err
 
 
 def test_wrong_usage_is_two_and_still_one_document(capsys: pytest.CaptureFixture[str]) -> None:
