@@ -11,7 +11,7 @@ from sitewright.app.project import open_project
 from sitewright.central_controller.ports import Alternative, RefusalNote
 from sitewright.central_controller.statuses import where_it_fell
 from sitewright.foundation.ids import ComponentId
-from sitewright.interaction_twin.labels import Kind, labels_of
+from sitewright.interaction_twin.labels import Kind, Label, Labels, labels_of
 from sitewright.interaction_twin.measures import in_millimetres, in_seconds
 from sitewright.interaction_twin.narration import ARGUMENT_NAMES, folded, narrate, reason
 from sitewright.interaction_twin.phrases import PHRASEBOOKS
@@ -124,6 +124,18 @@ def test_labels_come_from_the_names_of_the_model() -> None:
     assert labels.label("kr120-b").kind is Kind.ROBOT
     fallen = SkillCall("reach", A, (where_it_fell(ComponentId("thin.5")),))
     assert narrate(fallen, labels) == "kr120-a goes to where thin.5 lies"
+
+
+def test_a_reason_of_the_controller_is_told_with_names() -> None:
+    project = open_project(EXAMPLE)
+    labels = labels_of(project.model, project.cell)
+    told = labels.told("stud-1: kr120-b cannot drive stud-1.nail-2 into stud-1. 4 mm, stud-10")
+    assert told == (
+        "Transverse stud 1: kr120-b cannot drive nail 2 of Transverse stud 1 into "
+        "Transverse stud 1. 4 mm, stud-10"
+    )
+    numbered = Labels({"4": Label(Kind.COMPONENT, "block")})
+    assert numbered.told("4 is 4 mm off") == "4 is 4 mm off", "digits may be a figure"
 
 
 def test_a_plan_is_shown_with_code_times_and_what_was_refused() -> None:

@@ -177,6 +177,13 @@ def test_a_target_whose_support_is_not_built_is_proven_impossible_with_its_reaso
     assert "goal needs (ready stud-1), which no skill changes" in answer.reason
 
 
+def test_where_no_piece_is_left_that_is_the_reason_and_lost_ones_are_named() -> None:
+    answer = foregone(problem_for(DOMAIN, site(candidates=())), planner="x")
+    assert isinstance(answer, NoPlan)
+    assert answer.is_proven
+    assert answer.reason == "no piece that fits stud-1 can be taken."
+
+
 def test_an_operation_that_no_skill_does_is_named() -> None:
     glue = replace(nail(9), process=Process.GLUE, fastener=None)
     answer = foregone(problem_for(DOMAIN, site(operations=(glue,), tacks=())), planner="x")

@@ -122,3 +122,21 @@ def test_a_broken_model_is_not_checked_against_the_cell() -> None:
     found = check_project(broken, replace(cell(), stock_place_by_id={}))
     assert "P1" in codes(found)
     assert "Q5" not in codes(found)
+
+
+@pytest.mark.parametrize("rise_m", [0.0, 0.004, -0.004])
+def test_what_stands_on_the_floor_to_some_millimetres_is_no_problem(rise_m: float) -> None:
+    raised = replace(cell(), world_T_model=translation(0.0, 0.0, rise_m) @ cell().world_T_model)
+    assert check_project(frame(), raised) == []
+
+
+def test_what_stands_on_the_ground_must_not_hang_in_the_air() -> None:
+    raised = replace(cell(), world_T_model=translation(0.0, 0.0, 0.03) @ cell().world_T_model)
+    found = check_project(frame(), raised)
+    assert {p.where for p in found if p.code == "L5"} == {"support-1", "support-2"}
+    assert "hangs 30 mm above" in the("L5", found).message
+
+
+def test_what_stands_beside_every_floor_is_told() -> None:
+    aside = replace(cell(), world_T_model=translation(50.0, 0.0, 0.0) @ cell().world_T_model)
+    assert "nothing of the cell below it" in the("L5", check_project(frame(), aside)).message

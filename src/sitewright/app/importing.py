@@ -15,6 +15,7 @@ from sitewright.app.import_notes import notes_file
 from sitewright.app.import_options import ImportOptionError, demand_meaning
 from sitewright.app.import_records import IMPORTS, with_record
 from sitewright.app.project import BUILDING, CELL, ProjectError, example_folder
+from sitewright.app.two_arm_cell import two_arm_cell
 from sitewright.building_model.component import Source
 from sitewright.building_model.formats.cut_joints import cut_joints
 from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
@@ -129,7 +130,7 @@ def import_file(file: Path, out: Path, options: ImportOptions | None = None) -> 
 def _cell_for(model: BuildingModel, options: ImportOptions) -> bytes:
     if options.lays_flat:
         return framing_cell(model).encode()
-    return (example_folder(_CELL_EXAMPLE) / CELL).read_bytes()
+    return two_arm_cell(model, example_folder(_CELL_EXAMPLE) / CELL).encode()
 
 
 def keeping_record(

@@ -35,6 +35,7 @@ CODES: Mapping[str, str] = {
     "L2": "Values of a cell contradict each other.",
     "L3": "A robot or end effector model is unknown or cannot be read.",
     "L4": "The model's gravity does not point down where the cell builds it.",
+    "L5": "What stands on the ground hangs in the air where the cell builds it.",
     "M1": "There is no stock for a target.",
     "M2": "The stock for a target is too short or too long.",
     "M3": "The stock for a target has another section.",

@@ -83,13 +83,13 @@ def plan(
     labels = labels_of(opened.model, opened.cell)
     with Dialogue() as dialogue:
         found = plan_project(
-            opened, target, lambda t, words: dialogue.say(f"{labels.name(t)}: {words}")
+            opened, target, lambda t, words: dialogue.say(f"{labels.name(t)}: {labels.told(words)}")
         )
     for planned in found.planned:
         for line in _plan_lines(planned, labels, is_long=steps):
             out.line(line)
     for escalation in found.escalated:
-        out.line(f"{labels.name(escalation.target)}: refused: {escalation.reason}")
+        out.line(f"{labels.name(escalation.target)}: refused: {labels.told(escalation.reason)}")
     for waiting in found.waiting:
         out.line(f"{labels.name(waiting)}: not planned")
     total_s = found.timing_s.get("total", 0.0)

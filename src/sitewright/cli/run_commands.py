@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from sitewright.app.run import RunResult
     from sitewright.central_controller.events import AnyEvent
     from sitewright.foundation.canonical import Json
+    from sitewright.interaction_twin.labels import Labels
 
 _RUN = "sitewright.run/1"
 
@@ -95,13 +96,13 @@ def _run(project: Project, approve: str, out: Output, *, from_design: bool) -> i
 
         result = run_command(project, approver, on_event=on_event, from_design=from_design)
         report = write_report(project, result.run)
-    _tell(result, report, out)
+    _tell(result, report, labels, out)
     return result.exit_code
 
 
-def _tell(result: RunResult, report: Report, out: Output) -> None:
+def _tell(result: RunResult, report: Report, labels: Labels, out: Output) -> None:
     figures = report.summary.figures
-    out.line(result.message)
+    out.line(labels.told(result.message))
     out.line(
         f"{figures.targets_installed}/{figures.targets_total} components, "
         f"{figures.fasteners_driven}/{figures.fasteners_total} fasteners, "

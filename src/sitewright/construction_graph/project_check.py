@@ -18,7 +18,7 @@ from sitewright.building_model.shapes import (
 )
 from sitewright.building_model.validation import STRUCTURE_CODES, check_model
 from sitewright.construction_graph.reach import is_box_in_reach, is_point_in_reach
-from sitewright.construction_graph.siting import gravity_problems
+from sitewright.construction_graph.siting import gravity_problems, hanging_problems
 from sitewright.errors import Problem, did_you_mean
 from sitewright.foundation.pose import Pose
 from sitewright.robot_team.cell import Capability, Cell, EndEffector, EndEffectorKind, Robot
@@ -42,6 +42,7 @@ def check_project(model: BuildingModel, cell: Cell) -> list[Problem]:
     if any(p.code in STRUCTURE_CODES and p.severity == "E" for p in found):
         return found
     found += gravity_problems(model, cell)
+    found += hanging_problems(model, cell)
     found += _stack_problems(model, cell)
     for component in model.component_by_id.values():
         if component.layer is Layer.TARGET:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -11,6 +12,8 @@ from sitewright.building_model.model import BuildingModel
 from sitewright.central_controller.statuses import where_it_fell
 from sitewright.robot_team.cell import Cell
 
+_WORD = re.compile(r"[\w$.-]+")
+"""What ids are made of."""
 BARE_FLANGE = "bare-"
 """Prefix of the end effector that stands for an empty flange."""
 
@@ -63,6 +66,21 @@ class Labels:
     def name(self, site_id: str) -> str:
         """Return the name that people see."""
         return self.label(site_id).name
+
+    def told(self, text: str) -> str:
+        """Return a text of the controller or a planner with every id in it by its name.
+
+        An id of digits alone stays, since it could as well be a figure.
+        """
+        return _WORD.sub(lambda word: self._told_word(word.group()), text)
+
+    def _told_word(self, word: str) -> str:
+        site_id = word.rstrip(".")
+        found = self.label_by_id.get(site_id)
+        if found is None or site_id.isdigit():
+            return word
+        of = f" of {self.name(found.of)}" if found.of else ""
+        return f"{found.name}{of}{word[len(site_id) :]}"
 
 
 def labels_of(model: BuildingModel, cell: Cell) -> Labels:

@@ -86,15 +86,15 @@ def _trouble_line(event: AnyEvent, labels: Labels) -> str:
     match event:
         case RefusalMet(refusal=note):
             where = labels.name(note.target)
-            return f"  {where}: {note.reason} ({note.kind}); looking for another way"
+            return f"  {where}: {labels.told(note.reason)} ({note.kind}); looking for another way"
         case TargetRefused(target=target, reason=reason):
-            return f"! {labels.name(target)} cannot be built now: {reason}"
+            return f"! {labels.name(target)} cannot be built now: {labels.told(reason)}"
         case DeviationSeen(subject=subject, what=what):
-            return f"  ! {labels.name(subject)}: {what}"
+            return f"  ! {labels.name(subject)}: {labels.told(what)}"
         case SkillReconciled(verdict=verdict, evidence=evidence):
             return f"  the cell's ledger says {verdict}: {evidence}"
         case AlternativeRefused() | ProposalSuperseded() | ApprovalRefused() | LinkLost():
-            return f"! {_TROUBLE[event.kind]}: {event.reason}"
+            return f"! {_TROUBLE[event.kind]}: {labels.told(event.reason)}"
         case _:
             return ""
 

@@ -8,7 +8,9 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 from sitewright.building_model.component import Process
-from sitewright.construction_graph.graph import TargetNode
+from sitewright.building_model.matching import fits
+from sitewright.construction_graph.graph import NOWHERE, TargetNode
+from sitewright.construction_graph.queries import material_type, materials
 from sitewright.errors import BackendError, BuildingModelError
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.robot_team.skill import SkillCall
@@ -119,7 +121,7 @@ def problem_for(
             goal_not=frozenset(f for f in goal_not if f[0] in fluents),
             values=_values(domain, members, names, site),
             actions=(),
-            impossible=(*impossible, *_hopeless_operations(site)),
+            impossible=(*impossible, *_hopeless_operations(site), *_no_piece(site)),
             site_id_by_name=names,
             text="",
         )
@@ -230,6 +232,22 @@ def _hopeless_operations(site: SiteIndex) -> tuple[str, ...]:
                 if op.process is not Process.PLACE
             )
     return tuple(found)
+
+
+def _no_piece(site: SiteIndex) -> tuple[str, ...]:
+    """Say that nothing can become the target, and where pieces lie that nobody may count on."""
+    view = site.view
+    node = view.graph.node_by_id.get(view.target)
+    is_placed = view.target in view.in_place
+    if view.errand is not None or view.candidates or is_placed or not isinstance(node, TargetNode):
+        return ()
+    lost = [
+        n.id
+        for n in materials(view.graph)
+        if n.place == NOWHERE and fits(material_type(n), node.material_type)
+    ]
+    there = f"; at no stock place any more: {', '.join(lost)}" if lost else ""
+    return (f"no piece that fits {view.target} can be taken{there}",)
 
 
 def _check_types_known(domain: Domain, objects: Sequence[SiteObject]) -> None:

@@ -122,12 +122,12 @@ def _as_built(summary: RunSummary, labels: Labels) -> str:
         (
             labels.name(b.target),
             b.status,
-            b.piece or "",
+            labels.name(b.piece) if b.piece else "",
             b.robot or "",
             f"{b.operations_done}/{b.operations_total}",
             tenths_of_millimetres(b.position_error_m),
             milliradians(b.angle_error_rad),
-            b.note,
+            labels.told(b.note),
         )
         for b in summary.built
     )
@@ -162,7 +162,12 @@ def _decisions(summary: RunSummary) -> str:
 
 def _refusals(summary: RunSummary, labels: Labels) -> str:
     rows = [
-        (labels.name(r.target), r.kind, r.reason, "proven" if r.is_proven else "given up")
+        (
+            labels.name(r.target),
+            r.kind,
+            labels.told(r.reason),
+            "proven" if r.is_proven else "given up",
+        )
         for r in summary.refusals
     ]
     rows += [
