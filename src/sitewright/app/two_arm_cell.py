@@ -26,7 +26,7 @@ def two_arm_cell(model: BuildingModel, example: Path) -> str:
     if not extents:
         return text
     document = tomlkit.parse(text)
-    document["site"]["world_T_model"] = _placed(_around(extents))  # type: ignore[index]
+    document["site"]["world_T_model"] = _placed(_around(extents))
     return tomlkit.dumps(document)
 
 
