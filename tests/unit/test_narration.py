@@ -145,7 +145,7 @@ def test_a_plan_is_shown_with_code_times_and_what_was_refused() -> None:
     assert text.startswith("Plan for Transverse stud 1: 12 steps, 24.0 s, closest distance -")
     assert "Check code 7KQ2-M9TD" in text
     assert "drives 2 nails into Transverse stud 1" in text
-    assert "Refused on the way: Transverse stud 1: too far (NoIk)" in text
+    assert "Refused on the way: Transverse stud 1: too far (NoIk, proven impossible)" in text
     assert view.why == "the site changed"
     for number in range(1, 13):
         assert f" {number} " in text

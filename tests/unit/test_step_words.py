@@ -150,5 +150,12 @@ def test_the_document_says_the_same_in_ids_and_is_plain_json() -> None:
     assert document["needed_by"] == [{"fact": "(holding kr120-a thin.5)", "step": 3}]
     assert {"fact": "(accessible thin.5)", "step": 0} in document["made_possible_by"]  # type: ignore[operator]
     assert document["leads_to"] == [2, 3]
-    assert document["refusals"] == [{"kind": "NoIk", "reason": "thin.5: no", "is_proven": True}]
+    told = document["refusals"][0]  # type: ignore[index]
+    assert told == {
+        "kind": "NoIk",
+        "reason": "thin.5: no",
+        "is_proven": True,
+        "verdict": "proven impossible",
+        "then": "",
+    }
     assert canonical_json(document)

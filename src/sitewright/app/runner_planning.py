@@ -53,6 +53,7 @@ def plan_next(run: Run, exclude: frozenset[ComponentId]) -> Iterator[AnyEvent]:
                 is_proven=outcome.is_proven,
                 exit_code=outcome.exit_code,
                 timing_s=outcome.timing_s,
+                blockers=outcome.blockers,
             )
         case NothingToDo():
             yield finished(run)

@@ -51,6 +51,18 @@ def removals_of(blame: MinimalReason) -> tuple[tuple[str, ...], ...]:
     return tuple(sorted(sets, key=lambda s: (len(s), s)))
 
 
+def pieces_to_blame(blame: MinimalReason) -> tuple[ComponentId, ...]:
+    """Return the pieces that could be taken and placed if what is to blame did not stand."""
+    found: list[ComponentId] = []
+    for nogood in (*blame.alone, *blame.together):
+        match nogood.fact:
+            case ("can-grasp", _, _, piece) | ("can-place", _, piece, _):
+                found.append(ComponentId(piece))
+            case _:
+                pass
+    return tuple(dict.fromkeys(found))
+
+
 def _evidence(nogoods: Sequence[Nogood]) -> str:
     return "; ".join(dict.fromkeys(n.evidence for n in nogoods))
 

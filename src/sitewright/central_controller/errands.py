@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from sitewright.central_controller.design import Design
 from sitewright.central_controller.ports import SiteContext
@@ -10,7 +11,7 @@ from sitewright.central_controller.touching import lies_on
 from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.foundation.ids import BodyId, ComponentId
 from sitewright.foundation.pose import Pose
-from sitewright.planning_twin.jobsite import Jobsite
+from sitewright.planning_twin.jobsite import Jobsite, PieceShape
 from sitewright.planning_twin.setting_down import is_taken, pose_on
 from sitewright.planning_twin.task import Task
 from sitewright.robot_team.cell import Cell, StationKind
@@ -32,6 +33,20 @@ def free_buffers(
         for place, surface in buffers(cell).items()
         if not is_taken(world_T_pieces, surface, by_other_than=piece)
     ]
+
+
+def lying_on_buffer(
+    context: SiteContext, piece: ComponentId, shape: PieceShape, world_T_surface: Pose
+) -> SiteContext:
+    """Return the context as if a piece lay on a buffer, and in nobody's gripper."""
+    seen = context.observation
+    pose = pose_on(world_T_surface, shape, seen.world_T_piece[piece])
+    robots = {
+        r: replace(state, gripped=None) if state.gripped == piece else state
+        for r, state in seen.robots.items()
+    }
+    there = replace(seen, robots=robots, world_T_piece={**seen.world_T_piece, piece: pose})
+    return replace(context, observation=there)
 
 
 def errand_task(

@@ -159,6 +159,7 @@ class TargetRefused:
     is_proven: bool
     exit_code: int
     timing_s: Mapping[str, float] = field(default_factory=dict)
+    blockers: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

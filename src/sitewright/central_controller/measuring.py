@@ -33,6 +33,13 @@ class Stopwatch:
         passed = (self.clock.monotonic_ns() - self._since_ns) / _NS
         self.spent_s[kind] = self.spent_s.get(kind, 0.0) + passed
 
+    @contextmanager
+    def timed(self, kind: str) -> Iterator[None]:
+        """Count the time that a block takes."""
+        self.start()
+        yield
+        self.stop(kind)
+
     def report(self, certifying_s: float) -> dict[str, float]:
         """Return the times; what proofs took is part of the motion planning and told apart."""
         motion_s = self.spent_s.get("motion", 0.0)

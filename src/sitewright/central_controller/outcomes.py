@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from sitewright.central_controller.ports import Escalation, Planned, RefusalNote, SiteContext
 from sitewright.central_controller.proposal import Proposal, ProposedStep
-from sitewright.central_controller.target_planning import TargetPlan, TargetRefusal
+from sitewright.central_controller.target_outcome import TargetPlan, TargetRefusal
 from sitewright.foundation.ids import ComponentId
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal
 from sitewright.planning_twin.wording import in_words, is_proof
@@ -112,6 +112,7 @@ def escalation(
         attachments={"domain": refused.problem.domain.text, "problem": refused.problem.text},
         refusals=tuple(dict.fromkeys(refused.notes)),
         timing_s=timing_s,
+        blockers=refused.blockers,
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Protocol
@@ -15,6 +15,9 @@ from sitewright.planning_twin.refusal import StaleCertificate
 from sitewright.planning_twin.scene import SceneSnapshot
 from sitewright.robot_team.driver import Observation
 from sitewright.robot_team.skill import SkillCall
+
+PUT_OFF = "PutOff"
+"""Kind of a refusal that is no planner's: a person wants the target later."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,6 +43,8 @@ class RefusalNote:
         kind: Class of the refusal, e.g. ``NoIk``, ``BlockedBy``, ``NoPlan``.
         is_replanned: A plan was refused by it and made anew; False for what the batch check found
             before there was a plan.
+        blockers: The fewest things that are in the way, if things are.
+        then: What was done instead; empty if nothing was left to do.
     """
 
     target: ComponentId
@@ -47,6 +52,22 @@ class RefusalNote:
     reason: str
     is_proven: bool
     is_replanned: bool = False
+    blockers: tuple[str, ...] = ()
+    then: str = ""
+
+    @property
+    def verdict(self) -> str:
+        """How sure the "no" is, as `verdict_of` words it."""
+        if self.kind == PUT_OFF:
+            return "a person's wish"
+        return verdict_of(self.blockers, is_proven=self.is_proven)
+
+
+def verdict_of(blockers: Sequence[str], *, is_proven: bool) -> str:
+    """Return which of three things a "no" is: proven, blocked by something, or not found."""
+    if is_proven:
+        return "proven impossible"
+    return f"blocked by {' and '.join(blockers)}" if blockers else "not found within budget"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,6 +93,7 @@ class Escalation:
     Attributes:
         reason: The minimal reason and what would help, in sentences.
         exit_code: 4 proven that no plan exists, 5 a limit was reached, 6 no motion.
+        blockers: The fewest things that are in the way, if things are.
     """
 
     target: ComponentId
@@ -81,6 +103,12 @@ class Escalation:
     attachments: Mapping[str, str] = field(default_factory=dict)
     refusals: tuple[RefusalNote, ...] = ()
     timing_s: Mapping[str, float] = field(default_factory=dict)
+    blockers: tuple[str, ...] = ()
+
+    @property
+    def verdict(self) -> str:
+        """How sure the "no" is, as `verdict_of` words it."""
+        return verdict_of(self.blockers, is_proven=self.is_proven)
 
 
 @dataclass(frozen=True, slots=True)

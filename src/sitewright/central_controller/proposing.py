@@ -32,10 +32,8 @@ from sitewright.central_controller.recovering import Recovery
 from sitewright.central_controller.start_site import site_at_start
 from sitewright.central_controller.statuses import strays
 from sitewright.central_controller.surveying import GraphOf, Situation, Surveyor
-from sitewright.central_controller.target_planning import (
-    PlanningPorts,
-    TargetRefusal,
-)
+from sitewright.central_controller.target_outcome import TargetRefusal
+from sitewright.central_controller.target_planning import PlanningPorts
 from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.jobsite import PieceShape

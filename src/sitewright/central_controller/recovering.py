@@ -2,23 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from sitewright.central_controller.choosing import choices_of_pieces
-from sitewright.central_controller.errands import free_buffers
+from sitewright.central_controller.errands import free_buffers, lying_on_buffer
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.outcomes import steps_of
 from sitewright.central_controller.ports import RefusalNote, SiteContext
 from sitewright.central_controller.rehearsal import carried_out
 from sitewright.central_controller.surveying import Surveyor
-from sitewright.central_controller.target_planning import TargetPlan, TargetRefusal, plan_target
+from sitewright.central_controller.target_outcome import TargetPlan, TargetRefusal
+from sitewright.central_controller.target_planning import plan_target
 from sitewright.construction_graph.graph import MaterialNode
-from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.ids import ComponentId, StationId
+from sitewright.robot_team.skill import Skill
 from sitewright.symbolic_planning.site_view import Errand
 
 _MOST_ERRANDS = 4
 """So many errands are planned for one target before a person is asked."""
+_MOST_BROUGHT = 2
+"""So many pieces are tried to be laid down and taken differently."""
+
+
+@dataclass(frozen=True, slots=True)
+class _WayRound:
+    """A plan that goes round a refusal, and what it does to get there, in words."""
+
+    plan: TargetPlan
+    words: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,14 +47,16 @@ class Recovery:
     watch: Stopwatch
 
     def plan(self, context: SiteContext) -> TargetPlan | TargetRefusal:
-        """Plan the target, if need be after things were moved out of the way."""
+        """Plan the target, if need be after pieces were moved."""
         outcome = self._by_itself(context)
         if isinstance(outcome, TargetPlan):
             return outcome
-        cleared = next(self._cleared(context, outcome), None)
-        if cleared is None:
-            return outcome
-        return replace(cleared, notes=(*outcome.notes, *cleared.notes))
+        for rung in (self._by_way_of_buffers, self._cleared):
+            found = next(rung(context, outcome), None)
+            if found is not None:
+                answered = answered_by(outcome.notes, found.words)
+                return replace(found.plan, notes=(*answered, *found.plan.notes))
+        return outcome
 
     def _by_itself(self, context: SiteContext) -> TargetPlan | TargetRefusal:
         """Plan the target, widening the choice of pieces if geometry refuses."""
@@ -50,19 +64,53 @@ class Recovery:
         graph = surveyor.graph_of(context)
         choices = choices_of_pieces(surveyor.design, graph, context, self.target)
         for candidates in choices:
-            found = surveyor.situation(graph, context, self.target, candidates, self.watch)
-            outcome = plan_target(surveyor.ports, found.twin, found.study, found.view, self.watch)
+            notes = [*answered_by(notes, f"{candidates[-1]} may be taken")] if notes else notes
+            outcome = self._made_of(context, candidates)
             notes += outcome.notes
             if isinstance(outcome, TargetPlan):
                 break
         return replace(outcome, notes=tuple(notes))
 
-    def _cleared(self, context: SiteContext, refusal: TargetRefusal) -> Iterator[TargetPlan]:
+    def _made_of(
+        self, context: SiteContext, candidates: tuple[ComponentId, ...]
+    ) -> TargetPlan | TargetRefusal:
+        surveyor = self.surveyor
+        graph = surveyor.graph_of(context)
+        found = surveyor.situation(graph, context, self.target, candidates, self.watch)
+        return plan_target(surveyor.ports, found.twin, found.study, found.view, self.watch)
+
+    def _by_way_of_buffers(
+        self, context: SiteContext, refusal: TargetRefusal
+    ) -> Iterator[_WayRound]:
+        """Yield plans in which a piece is laid down first: for another robot, or another grasp."""
+        for piece in refusal.elsewhere[:_MOST_BROUGHT]:
+            for place in self._buffers(context, piece):
+                if not self._serves_from(context, piece, place):
+                    continue
+                for moved in self._errands(context, piece, place):
+                    after = carried_out(context, steps_of(moved), self.target)
+                    built = self._made_of(after, (piece,))
+                    if isinstance(built, TargetPlan):
+                        yield _WayRound(built.after(moved), _brought(moved, built, place))
+
+    def _serves_from(self, context: SiteContext, piece: ComponentId, place: str) -> bool:
+        """Tell whether a robot could take a piece from a buffer and place it at the target."""
+        surveyor = self.surveyor
+        surface = surveyor.design.cell.station_by_id[StationId(place)].world_T_station
+        there = lying_on_buffer(context, piece, surveyor.shapes[piece], surface)
+        graph = surveyor.graph_of(there)
+        found = surveyor.situation(graph, there, self.target, (piece,), self.watch)
+        return bool(found.study.holdings)
+
+    def _cleared(self, context: SiteContext, refusal: TargetRefusal) -> Iterator[_WayRound]:
         """Yield plans that first bring the pieces in the way to buffers."""
         for things in refusal.removals[:_MOST_ERRANDS]:
             pieces = [ComponentId(t) for t in things]
             if all(self._is_movable(context, p) for p in pieces):
-                yield from self._after_moving(context, pieces)
+                for plan in self._after_moving(context, pieces):
+                    are = "is" if len(pieces) == 1 else "are"
+                    words = f"{' and '.join(pieces)} {are} moved out of the way first"
+                    yield _WayRound(plan, words)
 
     def _after_moving(
         self, context: SiteContext, pieces: list[ComponentId]
@@ -73,22 +121,46 @@ class Recovery:
                 yield outcome
             return
         first, *others = pieces
-        for moved in self._errands(context, first):
-            after = carried_out(context, steps_of(moved), self.target)
-            for rest in self._after_moving(after, others):
-                yield replace(rest, parts=(*moved.parts, *rest.parts))
+        for place in self._buffers(context, first):
+            for moved in self._errands(context, first, place):
+                after = carried_out(context, steps_of(moved), self.target)
+                for rest in self._after_moving(after, others):
+                    yield rest.after(moved)
 
-    def _errands(self, context: SiteContext, piece: ComponentId) -> Iterator[TargetPlan]:
-        """Yield the ways to bring a piece to a free buffer."""
+    def _buffers(self, context: SiteContext, piece: ComponentId) -> list[str]:
+        """Return the buffers that are free for a piece and that it does not lie on."""
+        graph, cell = self.surveyor.graph_of(context), self.surveyor.design.cell
+        node = graph.node_by_id.get(piece)
+        here = node.place if isinstance(node, MaterialNode) else None
+        free = free_buffers(cell, context.observation.world_T_piece, piece)
+        return [place for place in free if place != here]
+
+    def _errands(
+        self, context: SiteContext, piece: ComponentId, place: str
+    ) -> Iterator[TargetPlan]:
+        """Yield the way to bring a piece to a free buffer, if there is one."""
         surveyor = self.surveyor
-        graph, cell = surveyor.graph_of(context), surveyor.design.cell
-        for place in free_buffers(cell, context.observation.world_T_piece, piece):
-            errand = Errand(piece=piece, place=place)
-            found = surveyor.errand(graph, context, self.target, errand, self.watch)
-            outcome = plan_target(surveyor.ports, found.twin, found.study, found.view, self.watch)
-            if isinstance(outcome, TargetPlan):
-                yield outcome
+        graph = surveyor.graph_of(context)
+        errand = Errand(piece=piece, place=place)
+        found = surveyor.errand(graph, context, self.target, errand, self.watch)
+        outcome = plan_target(surveyor.ports, found.twin, found.study, found.view, self.watch)
+        if isinstance(outcome, TargetPlan):
+            yield outcome
 
     def _is_movable(self, context: SiteContext, piece: ComponentId) -> bool:
         node = self.surveyor.graph_of(context).node_by_id.get(piece)
         return isinstance(node, MaterialNode)
+
+
+def answered_by(notes: Iterable[RefusalNote], then: str) -> tuple[RefusalNote, ...]:
+    """Return refusals with what was done instead, where that was not known before."""
+    return tuple(n if n.then else replace(n, then=then) for n in notes)
+
+
+def _brought(moved: TargetPlan, built: TargetPlan, place: str) -> str:
+    """Return how a piece goes by way of a buffer: from hand to hand, or to be held otherwise."""
+    by = next(c.robot for c in moved.parts[-1].motions.calls if c.skill == Skill.SET_DOWN)
+    takes = next(c.robot for c in built.parts[-1].motions.calls if c.skill == Skill.GRASP)
+    if by == takes:
+        return f"{by} lays it down at {place} and takes it differently"
+    return f"{by} lays it down at {place}, where {takes} takes it"

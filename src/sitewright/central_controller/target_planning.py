@@ -5,12 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from sitewright.central_controller.blame import reason_for, removals_of, to_blame
+from sitewright.central_controller.blame import to_blame
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.ports import RefusalNote
+from sitewright.central_controller.target_outcome import (
+    PlanPart,
+    TargetPlan,
+    TargetRefusal,
+    from_elsewhere,
+    given_up,
+    no_plan_left,
+    note_of_motion,
+    notes_of_choices,
+    notes_of_study,
+)
 from sitewright.foundation.clock import Clock
-from sitewright.foundation.ids import ComponentId
-from sitewright.planning_twin.feedback import Lessons, refused_call
+from sitewright.planning_twin.feedback import Lessons
 from sitewright.planning_twin.motion import PlanningBackends
 from sitewright.planning_twin.refusal import NoPath
 from sitewright.planning_twin.sequence import (
@@ -19,16 +29,15 @@ from sitewright.planning_twin.sequence import (
     plan_sequence,
 )
 from sitewright.planning_twin.skill_motions.stage import PlannedSkill
-from sitewright.planning_twin.study import Study, StudyRefusal, with_another_grasp
+from sitewright.planning_twin.study import Study, with_another_grasp
 from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import TwinContext
-from sitewright.planning_twin.wording import is_proof
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.domain import Domain
-from sitewright.symbolic_planning.nogood import MinimalReason, Nogood, with_nogoods
-from sitewright.symbolic_planning.planner import NoPlan, SkillSequence, SymbolicPlanner
+from sitewright.symbolic_planning.nogood import Nogood, with_nogoods
+from sitewright.symbolic_planning.planner import NoPlan, SymbolicPlanner
 from sitewright.symbolic_planning.problem import Problem, problem_for
-from sitewright.symbolic_planning.site_view import SiteView
+from sitewright.symbolic_planning.site_view import GeometricFacts, SiteView
 
 MOST_ROUNDS = 30
 """So many plans are refused by geometry before a person is asked."""
@@ -53,40 +62,6 @@ class PlanningPorts:
     certifying_s: Callable[[], float] = field(default=lambda: 0.0)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PlanPart:
-    """One symbolic plan whose every motion is certified."""
-
-    problem: Problem
-    sequence: SkillSequence
-    motions: PlannedSequence
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TargetPlan:
-    """A plan for a target: the errands that come first, if any, then the target itself."""
-
-    parts: tuple[PlanPart, ...]
-    notes: tuple[RefusalNote, ...]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TargetRefusal:
-    """No plan with certified motions was found for the target.
-
-    Attributes:
-        is_limit: A budget ended; more rounds might help.
-        removals: Smallest sets of bodies and robots without which there might be a plan.
-    """
-
-    problem: Problem
-    reason: str
-    is_proven: bool
-    is_limit: bool
-    notes: tuple[RefusalNote, ...]
-    removals: tuple[tuple[str, ...], ...] = ()
-
-
 def plan_target(
     ports: PlanningPorts, context: TwinContext, study: Study, view: SiteView, watch: Stopwatch
 ) -> TargetPlan | TargetRefusal:
@@ -99,49 +74,120 @@ def plan_target(
         view: The symbolic picture; its geometric facts are replaced by the study's.
         watch: Where the time goes.
     """
-    target = view.target
-    notes = [_study_note(target, r) for r in study.refusals]
-    lessons = Lessons(base=study.base, nogoods=list(study.nogoods))
-    tried: list[Holding] = []
-    start = {robot: status.place for robot, status in view.robot_status.items()}
-    known: tuple[tuple[SkillCall, PlannedSkill], ...] = ()
+    loop = _Loop(ports=ports, context=context, view=view, watch=watch, study=study)
     for _ in range(MOST_ROUNDS):
-        watch.start()
-        problem = problem_for(ports.domain, replace(view, geometry=lessons.facts))
-        sequence = ports.symbolic.plan(problem)
-        watch.stop("symbolic")
+        outcome = loop.next_round()
+        if outcome is not None:
+            return outcome
+    reason = f"{MOST_ROUNDS} plans were refused by geometry; the last one: {loop.notes[-1].reason}"
+    return loop.give_up(reason, is_limit=True)
+
+
+@dataclass(slots=True, kw_only=True)
+class _Loop:
+    """The plan of one target while symbols and geometry do not agree yet.
+
+    Attributes:
+        tried: Grasps whose motions were refused.
+        known: Motions of the last plan up to where it was refused.
+    """
+
+    ports: PlanningPorts
+    context: TwinContext
+    view: SiteView
+    watch: Stopwatch
+    study: Study
+    lessons: Lessons = field(init=False)
+    notes: list[RefusalNote] = field(default_factory=list)
+    tried: list[Holding] = field(default_factory=list)
+    known: tuple[tuple[SkillCall, PlannedSkill], ...] = ()
+    _problem: Problem | None = None
+
+    def __post_init__(self) -> None:
+        studied = self.study
+        self.lessons = Lessons(base=studied.base, nogoods=list(studied.nogoods))
+
+    @property
+    def problem(self) -> Problem:
+        """The problem of the round."""
+        if self._problem is None:
+            self._problem = self._problem_with(self.lessons.facts)
+        return self._problem
+
+    def next_round(self) -> TargetPlan | TargetRefusal | None:
+        """Plan once; None if there is something else to try."""
+        self._problem = None
+        with self.watch.timed("symbolic"):
+            sequence = self.ports.symbolic.plan(self.problem)
         if isinstance(sequence, NoPlan):
-            blame = _blame(ports, view, lessons, watch)
-            return _refused(problem, sequence, blame, lessons, notes)
-        watch.start()
-        result = plan_sequence(
-            replace(context, seed=context.seed + lessons.new_seeds),
-            study,
-            sequence.calls,
-            start,
-            known=tuple(_still_valid(known, sequence.calls)),
-        )
-        watch.stop("motion")
+            return self._refused(sequence)
+        with self.watch.timed("motion"):
+            result = self._motions(sequence.calls)
         if isinstance(result, PlannedSequence):
-            part = PlanPart(problem=problem, sequence=sequence, motions=result)
-            return TargetPlan(parts=(part,), notes=tuple(notes))
-        notes.append(_note(target, result, sequence.calls))
-        if sum(n.kind == NoPath.__name__ for n in notes) >= _MOST_SEARCHES:
-            reason = f"{_MOST_SEARCHES} searches ended without a path; the last: {notes[-1].reason}"
-            return replace(_given_up(problem, reason, notes), is_limit=True)
-        watch.start()
-        regrasped = _another_grasp(context, study, result, tried)
-        watch.stop("motion")
+            part = PlanPart(problem=self.problem, sequence=sequence, motions=result)
+            return TargetPlan(parts=(part,), notes=self._notes_of_plan(result))
+        return self._go_on(result, sequence.calls)
+
+    def give_up(self, reason: str, *, is_limit: bool = False) -> TargetRefusal:
+        """Return the refusal after too many tries."""
+        elsewhere = from_elsewhere(self.study, self.view.candidates)
+        return given_up(self.problem, reason, self._all_notes(), elsewhere, is_limit=is_limit)
+
+    def _all_notes(self) -> tuple[RefusalNote, ...]:
+        return (*notes_of_study(self.view.target, self.study), *self.notes)
+
+    def _notes_of_plan(self, motions: PlannedSequence) -> tuple[RefusalNote, ...]:
+        target, study = self.view.target, self.study
+        chosen = notes_of_choices(target, study, self.context.site, motions)
+        return (*notes_of_study(target, study, motions.calls), *self.notes, *chosen)
+
+    def _problem_with(self, geometry: GeometricFacts) -> Problem:
+        return problem_for(self.ports.domain, replace(self.view, geometry=geometry))
+
+    def _motions(self, calls: tuple[SkillCall, ...]) -> PlannedSequence | SequenceRefusal:
+        return plan_sequence(
+            replace(self.context, seed=self.context.seed + self.lessons.new_seeds),
+            self.study,
+            calls,
+            {robot: status.place for robot, status in self.view.robot_status.items()},
+            known=tuple(_still_valid(self.known, calls)),
+        )
+
+    def _refused(self, no: NoPlan) -> TargetRefusal:
+        def is_solvable(nogoods: Sequence[Nogood]) -> bool:
+            problem = self._problem_with(with_nogoods(self.lessons.base, nogoods))
+            return not isinstance(self.ports.symbolic.plan(problem), NoPlan)
+
+        with self.watch.timed("symbolic"):
+            blame = to_blame(self.lessons.nogoods, is_solvable)
+        return no_plan_left(self.problem, no, blame, self.lessons, self.study, self._all_notes())
+
+    def _go_on(
+        self, refused: SequenceRefusal, calls: tuple[SkillCall, ...]
+    ) -> TargetRefusal | None:
+        """Take in a refused motion; return a refusal if nothing else is left to try."""
+        searches = sum(n.kind == NoPath.__name__ for n in self.notes)
+        is_search = isinstance(refused.cause.refusal, NoPath)
+        if is_search and searches + 1 >= _MOST_SEARCHES:
+            self._note(refused, calls, "")
+            last = self.notes[-1].reason
+            reason = f"{_MOST_SEARCHES} searches ended without a path; the last: {last}"
+            return self.give_up(reason, is_limit=True)
+        with self.watch.timed("motion"):
+            regrasped = _another_grasp(self.context, self.study, refused, self.tried)
         if regrasped is not None:
-            study, known, lessons.base = regrasped, (), regrasped.base
-        elif lessons.learn(result, sequence.calls):
-            known = tuple(zip(sequence.calls[: result.number], result.planned, strict=True))
-        else:
-            return _given_up(
-                problem, f"{notes[-1].reason}; no other order or robot avoids it", notes
-            )
-    reason = f"{MOST_ROUNDS} plans were refused by geometry; the last one: {notes[-1].reason}"
-    return replace(_given_up(problem, reason, notes), is_limit=True)
+            self._note(refused, calls, "it is held differently")
+            self.study, self.known, self.lessons.base = regrasped, (), regrasped.base
+            return None
+        if self.lessons.learn(refused, calls):
+            self._note(refused, calls, "the steps are ordered or shared out differently")
+            self.known = tuple(zip(calls[: refused.number], refused.planned, strict=True))
+            return None
+        self._note(refused, calls, "")
+        return self.give_up(f"{self.notes[-1].reason}; no other order or robot avoids it")
+
+    def _note(self, refused: SequenceRefusal, calls: tuple[SkillCall, ...], then: str) -> None:
+        self.notes.append(note_of_motion(self.view.target, refused, calls, then))
 
 
 def _another_grasp(
@@ -173,65 +219,3 @@ def _still_valid(
         if not (is_same and follows) or k + 1 == len(known):
             return
         yield planned
-
-
-def _blame(
-    ports: PlanningPorts, view: SiteView, lessons: Lessons, watch: Stopwatch
-) -> MinimalReason:
-    """Return the fewest refusals that keep the target from being built."""
-
-    def is_solvable(nogoods: Sequence[Nogood]) -> bool:
-        geometry = with_nogoods(lessons.base, nogoods)
-        problem = problem_for(ports.domain, replace(view, geometry=geometry))
-        return not isinstance(ports.symbolic.plan(problem), NoPlan)
-
-    watch.start()
-    blame = to_blame(lessons.nogoods, is_solvable)
-    watch.stop("symbolic")
-    return blame
-
-
-def _refused(
-    problem: Problem,
-    no: NoPlan,
-    blame: MinimalReason,
-    lessons: Lessons,
-    notes: list[RefusalNote],
-) -> TargetRefusal:
-    """A proof over facts is one over the site only if every fact taken away was proven."""
-    return TargetRefusal(
-        problem=problem,
-        reason=reason_for(problem.target, no.reason, blame),
-        is_proven=no.is_proven and all(n.is_proven for n in lessons.nogoods),
-        is_limit=not no.is_proven,
-        notes=tuple(notes),
-        removals=removals_of(blame),
-    )
-
-
-def _given_up(problem: Problem, reason: str, notes: list[RefusalNote]) -> TargetRefusal:
-    return TargetRefusal(
-        problem=problem, reason=reason, is_proven=False, is_limit=False, notes=tuple(notes)
-    )
-
-
-def _note(
-    target: ComponentId, refused: SequenceRefusal, calls: tuple[SkillCall, ...]
-) -> RefusalNote:
-    refusal = refused.cause.refusal
-    return RefusalNote(
-        target=target,
-        kind=type(refusal).__name__,
-        reason=refused_call(refused, calls, scope="", attempt=1).evidence,
-        is_proven=is_proof(refusal),
-        is_replanned=True,
-    )
-
-
-def _study_note(target: ComponentId, refused: StudyRefusal) -> RefusalNote:
-    return RefusalNote(
-        target=target,
-        kind=type(refused.refusal).__name__,
-        reason=refused.nogood.evidence,
-        is_proven=refused.nogood.is_proven,
-    )

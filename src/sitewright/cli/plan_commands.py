@@ -89,7 +89,8 @@ def plan(
         for line in _plan_lines(planned, labels, is_long=steps):
             out.line(line)
     for escalation in found.escalated:
-        out.line(f"{labels.name(escalation.target)}: refused: {labels.told(escalation.reason)}")
+        reason = labels.told(f"{escalation.verdict}: {escalation.reason}")
+        out.line(f"{labels.name(escalation.target)}: refused, {reason}")
     for waiting in found.waiting:
         out.line(f"{labels.name(waiting)}: not planned")
     total_s = found.timing_s.get("total", 0.0)
@@ -152,7 +153,14 @@ def _plan_document(found: PlanReport) -> dict[str, Json]:
         for p in found.planned
     ]
     escalated: list[Json] = [
-        {"target": e.target, "reason": e.reason, "is_proven": e.is_proven} for e in found.escalated
+        {
+            "target": e.target,
+            "reason": e.reason,
+            "is_proven": e.is_proven,
+            "verdict": e.verdict,
+            "blockers": list(e.blockers),
+        }
+        for e in found.escalated
     ]
     return {
         "targets_total": found.targets_total,

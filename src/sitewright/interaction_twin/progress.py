@@ -86,7 +86,8 @@ def _trouble_line(event: AnyEvent, labels: Labels) -> str:
     match event:
         case RefusalMet(refusal=note):
             where = labels.name(note.target)
-            return f"  {where}: {labels.told(note.reason)} ({note.kind}); looking for another way"
+            told = labels.told(f"{note.reason} ({note.kind}); {note.then or 'no way round it'}")
+            return f"  {where}: {told}"
         case TargetRefused(target=target, reason=reason):
             return f"! {labels.name(target)} cannot be built now: {labels.told(reason)}"
         case DeviationSeen(subject=subject, what=what):

@@ -92,8 +92,15 @@ def view_of(
         summary=tuple(f"{run.robot} {run.words}" for run in runs),
         duration_s=sum(s.duration_s for s in proposal.steps),
         closest_distance_m=_closest(proposal.steps),
-        notes=tuple(f"{labels.name(n.target)}: {n.reason} ({n.kind})" for n in refusals),
+        notes=tuple(note_in_words(n, labels) for n in refusals),
     )
+
+
+def note_in_words(note: RefusalNote, labels: Labels) -> str:
+    """Return a refusal in words: what cannot be, how sure that is, and what is done instead."""
+    then = f"; instead: {note.then}" if note.then else ""
+    told = labels.told(f"{note.reason} ({note.kind}, {note.verdict}){then}")
+    return f"{labels.name(note.target)}: {told}"
 
 
 def _closest(steps: Sequence[ProposedStep]) -> float | None:

@@ -72,4 +72,10 @@ def _stance(stance: Stance) -> dict[str, Json]:
 
 
 def _refusal(note: RefusalNote) -> dict[str, Json]:
-    return {"kind": note.kind, "reason": note.reason, "is_proven": note.is_proven}
+    return {
+        "kind": note.kind,
+        "reason": note.reason,
+        "is_proven": note.is_proven,
+        "verdict": note.verdict,
+        "then": note.then,
+    }

@@ -92,8 +92,14 @@ def refused_call(
         attempt=attempt,
         evidence=sentence(act, _place(refused), piece, refusal),
         scope=scope,
-        removals=removals_of(scene_of(refused.site), call.robot, refusal),
+        removals=removals_of_refused(refused),
     )
+
+
+def removals_of_refused(refused: SequenceRefusal) -> tuple[tuple[str, ...], ...]:
+    """Return the smallest sets of bodies and robots without which a call might be possible."""
+    scene = scene_of(refused.site)
+    return removals_of(scene, refused.call.robot, refused.cause.refusal)
 
 
 def removals_of(

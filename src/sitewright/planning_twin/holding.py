@@ -25,6 +25,8 @@ from sitewright.robot_team.description import Joints
 from sitewright.robot_team.kinematics import without_turns
 
 _TACKS = "fasten while held"
+_PICK = "pick and lift"
+_FAR_PIECE = "reach the piece"
 _PATIENCE = 6
 """So many ways to hold may let too few fasteners be driven before the search takes strides."""
 _SPREAD = 8
@@ -72,7 +74,7 @@ def find_holding(
                 continue
             tacked = with_tacks(context, holding, tool)
             if is_enough(context.task, tacked.tacks):
-                return tacked
+                return replace(tacked, passed_over=tuple(sorted(dropped.items())))
             insufficient.add(shape)
             most_tacks = max(most_tacks, tacked.tacks, key=len)
             dropped[_TACKS] += 1
@@ -82,6 +84,15 @@ def find_holding(
         dropped_by=tuple(sorted(dropped.items())),
         reason=_reason(context.task, most_tacks, dropped, tried),
     )
+
+
+def depends_on_start(refusal: Refusal) -> bool:
+    """Tell whether a search for a grasp might have ended otherwise if the piece lay elsewhere."""
+    match refusal:
+        case NoGrasp(dropped_by=dropped):
+            return any(name in (_PICK, _FAR_PIECE) for name, _ in dropped)
+        case _:
+            return False
 
 
 def _ranks(first: int, count: int, dropped: Counter[str]) -> Iterator[int]:
@@ -124,10 +135,10 @@ def _too_far(
     candidates: list[Grasp],
 ) -> NoGrasp | None:
     """Return the proof that no grasp reaches the piece, or the target, from the robot's base."""
-    ends = {"the target": context.task.world_T_target}
+    ends = {"reach the target": context.task.world_T_target}
     if context.site.arms[robot.id].held != piece:
-        ends["the piece"] = context.site.world_T_piece[piece]
-    for name, world_T_piece in ends.items():
+        ends[_FAR_PIECE] = context.site.world_T_piece[piece]
+    for end, world_T_piece in ends.items():
         proofs = _proofs_of_far(context, robot, tool, world_T_piece, candidates)
         if proofs:
             least = min(p.extension_m for p in proofs)
@@ -135,8 +146,9 @@ def _too_far(
             return NoGrasp(
                 is_proven=True,
                 candidates=len(candidates),
-                dropped_by=((f"reach {name}", len(candidates)),),
-                reason=f"{name} is out of reach{by} with every grasp (proven)",
+                dropped_by=((end, len(candidates)),),
+                reason=f"{end.removeprefix('reach ')} is out of reach{by} "
+                "with every grasp (proven)",
             )
     return None
 
@@ -183,7 +195,7 @@ def _serving(trial: GraspTrial, rank: int, dropped: Counter[str]) -> Iterator[Ho
     is_in_hand = trial.context.site.arms[trial.robot.id].held == trial.piece
     pick = None if is_in_hand else next((p for p in trial.picks() if trial.can_lift(p)), None)
     if not is_in_hand and pick is None:
-        dropped["pick and lift"] += 1
+        dropped[_PICK] += 1
         return
     is_placed = False
     for number, place in trial.placements():

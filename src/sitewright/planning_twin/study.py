@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from sitewright.foundation.ids import ComponentId, RobotId
-from sitewright.planning_twin.holding import find_holding, steadying
+from sitewright.planning_twin.holding import depends_on_start, find_holding, steadying
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, Refusal
 from sitewright.planning_twin.scope import scope_of
@@ -23,10 +23,15 @@ from sitewright.symbolic_planning.site_view import GeometricFacts, PlaceId
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StudyRefusal:
-    """What the batch check found impossible, and the fact that is false because of it."""
+    """What the batch check found impossible, and the fact that is false because of it.
+
+    Attributes:
+        piece: Which piece cannot be taken and placed; None if it is about something else.
+    """
 
     nogood: Nogood
     refusal: Refusal
+    piece: ComponentId | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,12 +42,25 @@ class Study:
         base: Facts as if nothing had been refused.
         holdings: By robot and piece: the grasp that serves all its motions.
         lies_at: Stock place or buffer station of each candidate piece.
+        has_buffers: There is a place to lay a piece down and to take it differently.
     """
 
     base: GeometricFacts
     holdings: Mapping[tuple[RobotId, ComponentId], Holding]
     refusals: tuple[StudyRefusal, ...] = ()
     lies_at: Mapping[ComponentId, PlaceId] = field(default_factory=dict)
+    has_buffers: bool = False
+
+    def might_serve_from_elsewhere(self, piece: ComponentId) -> bool:
+        """Tell whether a piece might be taken and placed if it lay on a buffer before.
+
+        Not if all that refuse it would refuse it anywhere: too heavy, or the target is too far.
+        """
+        told = [r.refusal for r in self.refusals if r.piece == piece]
+        is_served = any(p == piece for _, p in self.holdings)
+        is_held = bool(told) and piece not in self.lies_at
+        is_better = is_served or is_held or any(depends_on_start(r) for r in told)
+        return self.has_buffers and is_better
 
     @property
     def nogoods(self) -> tuple[Nogood, ...]:
@@ -80,6 +98,7 @@ def study(context: TwinContext, lies_at: Mapping[ComponentId, PlaceId]) -> Study
         holdings=holdings,
         refusals=tuple(refusals),
         lies_at=lies_at,
+        has_buffers=bool(context.task.buffers),
     )
 
 
@@ -163,7 +182,7 @@ def _no_holding(
     else:
         fact = ("can-grasp", robot.id, arm.mounted, piece)
     evidence = f"{robot.id} cannot take {piece} and place it at {target}: {in_words(refusal)}"
-    refused = _refused(context, robot, fact, refusal, evidence)
+    refused = replace(_refused(context, robot, fact, refusal, evidence), piece=piece)
     if not isinstance(refusal, BlockedBy):
         return refused
     away = " and ".join(other for _, other in refusal.pairs)

@@ -25,6 +25,7 @@ class Holding:
         rank: Place of the grasp among the candidates, to go on searching from there.
         insertion: Number of the task's insertion that is used.
         tacks: Fasteners that a finisher can drive meanwhile, in order.
+        passed_over: Which test dropped how many cheaper grasps.
     """
 
     robot: RobotId
@@ -35,6 +36,7 @@ class Holding:
     rank: int = 0
     insertion: int = 0
     tacks: tuple[OperationId, ...] = ()
+    passed_over: tuple[tuple[str, int], ...] = ()
 
 
 def with_tacks(context: TwinContext, holding: Holding, gripper: EndEffector) -> Holding:

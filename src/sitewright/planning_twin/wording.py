@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
+from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.refusal import (
     BlockedBy,
     Disagreement,
@@ -33,6 +37,15 @@ def in_words(refusal: Refusal) -> str:
             return reason or f"no path was found within {nodes} nodes"
         case WorkerFailed(task=task, exit_status=status):
             return f"the planning process of {task} died with {status}"
+
+
+def how_held(grasp: Grasp, world_T_piece: Pose) -> str:
+    """Return where along a piece a gripper holds it, and how it leans, in words."""
+    offset_mm = abs(grasp.piece_T_tcp.position_m[0]) * 1000
+    looks = world_T_piece.turn(grasp.piece_T_tcp.z_axis)
+    lean_deg = math.degrees(math.acos(max(-1.0, min(1.0, -looks[2]))))
+    where = f"{offset_mm:.0f} mm off the middle" if offset_mm >= 1.0 else "at the middle"
+    return f"{where}, leaning {lean_deg:.0f} degrees" if lean_deg >= 1.0 else where
 
 
 def _impossible(refusal: NoIk | NoGrasp | PayloadExceeded) -> str:

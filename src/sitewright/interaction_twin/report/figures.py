@@ -38,12 +38,15 @@ def report_json(summary: RunSummary) -> dict[str, Json]:
 
 
 def refusal_json(refusal: RefusalNote) -> dict[str, Json]:
-    """Return a refusal as ``target, kind, reason, is_proven``."""
+    """Return a refusal as ``target, kind, reason, is_proven, verdict, blockers, then``."""
     return {
         "target": refusal.target,
         "kind": refusal.kind,
         "reason": refusal.reason,
         "is_proven": refusal.is_proven,
+        "verdict": refusal.verdict,
+        "blockers": list(refusal.blockers),
+        "then": refusal.then,
     }
 
 

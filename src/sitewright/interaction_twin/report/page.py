@@ -162,18 +162,15 @@ def _decisions(summary: RunSummary) -> str:
 
 def _refusals(summary: RunSummary, labels: Labels) -> str:
     rows = [
-        (
-            labels.name(r.target),
-            r.kind,
-            labels.told(r.reason),
-            "proven" if r.is_proven else "given up",
-        )
+        (labels.name(r.target), r.kind, *map(labels.told, (r.reason, r.verdict, r.then)))
         for r in summary.refusals
     ]
     rows += [
-        (d.partition(": ")[0], "deviation", d.partition(": ")[2], "") for d in summary.deviations
+        (d.partition(": ")[0], "deviation", d.partition(": ")[2], "", "")
+        for d in summary.deviations
     ]
-    return _table(("About", "Kind", "Reason", "Proof"), rows, numbers=frozenset())
+    heads = ("About", "Kind", "Reason", "How sure", "Instead")
+    return _table(heads, rows, numbers=frozenset())
 
 
 def _contacts(summary: RunSummary) -> str:

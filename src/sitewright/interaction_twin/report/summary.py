@@ -31,7 +31,7 @@ from sitewright.central_controller.events import (
     TargetRefused,
 )
 from sitewright.central_controller.fingerprint import check_code
-from sitewright.central_controller.ports import RefusalNote, ScopeKind
+from sitewright.central_controller.ports import PUT_OFF, RefusalNote, ScopeKind
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.report.as_built import built_components
@@ -46,6 +46,7 @@ from sitewright.interaction_twin.report.timeline import timeline
 
 _FASTENING = frozenset({Process.NAIL, Process.SCREW})
 _FINISHING = frozenset({Process.PAINT})
+_APPROVAL = 7
 PLANNING_TIMES = ("symbolic", "motion", "certificate", "total")
 
 Contact = tuple[str, str, str]
@@ -220,7 +221,13 @@ def _refusals(events: Sequence[AnyEvent]) -> tuple[RefusalNote, ...]:
     """Return the refusals met, each once, and last the targets set aside."""
     notes = [e.refusal for e in events if isinstance(e, RefusalMet)]
     aside = [
-        RefusalNote(target=e.target, kind="TargetRefused", reason=e.reason, is_proven=e.is_proven)
+        RefusalNote(
+            target=e.target,
+            kind=PUT_OFF if e.exit_code == _APPROVAL else TargetRefused.__name__,
+            reason=e.reason,
+            is_proven=e.is_proven,
+            blockers=e.blockers,
+        )
         for e in events
         if isinstance(e, TargetRefused)
     ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import islice
 
 from sitewright.foundation.ids import RobotId
@@ -137,6 +137,19 @@ def _with_resting(segment: PathSegment, resting: Mapping[Pair, float]) -> PathSe
     return replace(segment, threshold_m={**resting, **segment.threshold_m})
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reached:
+    """A motion to a contact pose.
+
+    Attributes:
+        first_refusal: Why the first pose that was tried would not do; None if it is this one.
+    """
+
+    motion: PlannedMotion
+    touch: Touch
+    first_refusal: Refusal | None = None
+
+
 def reach_any(
     stage: Stage,
     robot: RobotId,
@@ -144,7 +157,7 @@ def reach_any(
     *,
     serves: Callable[[Reaching, Approach], bool] = lambda _reaching, _approach: True,
     wanted_rad: Joints | None = None,
-) -> tuple[PlannedMotion, Approach] | Refusal:
+) -> Reached | Refusal:
     """Plan to the first contact pose that can be reached, trying the cheapest freedoms first.
 
     Args:
@@ -161,6 +174,7 @@ def reach_any(
     reaching = stage.reaching(robot)
     refusals: list[Refusal] = []
     motions = 0
+    first: Refusal | None = None
     for touch in touches:
         declared = replace(
             touch,
@@ -173,7 +187,7 @@ def reach_any(
             serving += 1
             motion = move_to(stage, robot, approach.pre_rad, approach.segments)
             if isinstance(motion, PlannedMotion):
-                return motion, approach
+                return Reached(motion=motion, touch=touch, first_refusal=first)
             refusals.append(motion)
             motions += 1
             if motions >= _MOST_MOTIONS:
@@ -182,6 +196,7 @@ def reach_any(
             refusals.append(search.why_not())
         elif not serving:
             refusals.append(search.why_none_serves(wanted_rad))
+        first = first or refusals[-1]
     return most_telling(refusals)
 
 

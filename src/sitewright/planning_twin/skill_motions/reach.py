@@ -15,8 +15,14 @@ from sitewright.planning_twin.refusal import NoGrasp, NoIk, Refusal
 from sitewright.planning_twin.setting_down import pose_on
 from sitewright.planning_twin.skill_motions.dock import above_dock
 from sitewright.planning_twin.skill_motions.finish import covers_patch, first_touches
-from sitewright.planning_twin.skill_motions.moving import move_to, move_to_any, reach_any
+from sitewright.planning_twin.skill_motions.moving import (
+    Reached,
+    move_to,
+    move_to_any,
+    reach_any,
+)
 from sitewright.planning_twin.skill_motions.stage import (
+    Chosen,
     PlannedSkill,
     SkillRefusal,
     Stage,
@@ -47,10 +53,21 @@ def plan_reach(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
         params["aperture_m"] = opening_m
         stage = stage.at(with_opening(stage.site, call.robot, opening_m))
     found = _motion(stage, call.robot, place)
-    if not isinstance(found, PlannedMotion):
+    if not isinstance(found, PlannedMotion | Reached):
         return SkillRefusal(call=call, refusal=found)
-    site = with_joints(stage.site, call.robot, found.timed.path.end_rad)
-    return PlannedSkill(motions=(found,), params=params, site_after=site)
+    motion = found.motion if isinstance(found, Reached) else found
+    return PlannedSkill(
+        motions=(motion,),
+        params=params,
+        site_after=with_joints(stage.site, call.robot, motion.timed.path.end_rad),
+        chosen=_chosen(found) if isinstance(found, Reached) else None,
+    )
+
+
+def _chosen(found: Reached) -> Chosen | None:
+    if found.first_refusal is None or not found.touch.label:
+        return None
+    return Chosen(label=found.touch.label, refusal=found.first_refusal)
 
 
 def _opening_for(stage: Stage, robot: RobotId, place: str) -> float | None:
@@ -63,7 +80,7 @@ def _opening_for(stage: Stage, robot: RobotId, place: str) -> float | None:
     return holding.grasp.open_m
 
 
-def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Refusal:
+def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Reached | Refusal:
     station = stage.context.cell.station_by_id.get(StationId(place))
     if place == preparation_place(stage.context.cell, robot):
         return move_to(stage, robot, stage.robot(robot).home_q_rad)
@@ -74,8 +91,7 @@ def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Refusal
         return touches
     wanted_rad = _wanted_rad(stage, robot, place)
     serves = partial(_serves, stage, place, wanted_rad)
-    found = reach_any(stage, robot, touches, serves=serves, wanted_rad=wanted_rad)
-    return found[0] if isinstance(found, tuple) else found
+    return reach_any(stage, robot, touches, serves=serves, wanted_rad=wanted_rad)
 
 
 def _serves(

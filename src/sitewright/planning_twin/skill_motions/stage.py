@@ -79,6 +79,19 @@ class Stage:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Chosen:
+    """A freedom of a contact pose that was taken because the first choice would not do.
+
+    Attributes:
+        label: For people: ``tilt 2.5 deg about 90 deg``.
+        refusal: Why the first choice would not do.
+    """
+
+    label: str
+    refusal: Refusal
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedSkill:
     """A skill call with its motion.
 
@@ -86,6 +99,7 @@ class PlannedSkill:
         site_after: The site as it is expected afterwards.
         act_s: Time of the end effector's act, on top of the motions.
         contacts: Pairs that the act itself lets touch; those of motions are in their paths.
+        chosen: Freedom that was chosen, if it is not the first one, and why that one would not do.
     """
 
     motions: tuple[PlannedMotion, ...]
@@ -93,6 +107,7 @@ class PlannedSkill:
     site_after: Jobsite
     act_s: float = 0.0
     contacts: tuple[Pair, ...] = ()
+    chosen: Chosen | None = None
 
     def declared_contacts(self) -> tuple[Pair, ...]:
         """Return all pairs that may touch during the skill, in order of name."""

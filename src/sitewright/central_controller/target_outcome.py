@@ -1,0 +1,210 @@
+"""What planning one target comes to: a plan in parts, or a refusal with its reason."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from sitewright.central_controller.blame import pieces_to_blame, reason_for, removals_of
+from sitewright.central_controller.ports import RefusalNote
+from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.feedback import Lessons, refused_call, removals_of_refused
+from sitewright.planning_twin.jobsite import Jobsite
+from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal
+from sitewright.planning_twin.study import Study
+from sitewright.planning_twin.tacking import Holding
+from sitewright.planning_twin.wording import how_held, in_words, is_proof
+from sitewright.robot_team.skill import Skill, SkillCall
+from sitewright.symbolic_planning.domain import Fact
+from sitewright.symbolic_planning.nogood import MinimalReason
+from sitewright.symbolic_planning.planner import NoPlan, SkillSequence
+from sitewright.symbolic_planning.problem import Problem
+
+_NEWS = 0.01
+"""A grasp that costs less is the straight one at the middle, perhaps turned over."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlanPart:
+    """One symbolic plan whose every motion is certified."""
+
+    problem: Problem
+    sequence: SkillSequence
+    motions: PlannedSequence
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetPlan:
+    """A plan for a target: the errands that come first, if any, then the target itself."""
+
+    parts: tuple[PlanPart, ...]
+    notes: tuple[RefusalNote, ...]
+
+    @property
+    def target(self) -> ComponentId:
+        """What is built by it."""
+        return self.parts[-1].problem.target
+
+    def after(self, errand: TargetPlan) -> TargetPlan:
+        """Return the plan with an errand before it."""
+        parts, notes = (*errand.parts, *self.parts), (*errand.notes, *self.notes)
+        return replace(self, parts=parts, notes=notes)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetRefusal:
+    """No plan with certified motions was found for the target.
+
+    Attributes:
+        is_limit: A budget ended; more rounds might help.
+        removals: Smallest sets of bodies and robots without which there might be a plan.
+        elsewhere: Pieces that might serve if they lay, or were held, differently.
+    """
+
+    problem: Problem
+    reason: str
+    is_proven: bool
+    is_limit: bool
+    notes: tuple[RefusalNote, ...]
+    removals: tuple[tuple[str, ...], ...] = ()
+    elsewhere: tuple[ComponentId, ...] = ()
+
+    @property
+    def blockers(self) -> tuple[str, ...]:
+        """The fewest things that are in the way, if things are."""
+        return self.removals[0] if self.removals else ()
+
+
+def no_plan_left(
+    problem: Problem,
+    no: NoPlan,
+    blame: MinimalReason,
+    lessons: Lessons,
+    study: Study,
+    notes: Iterable[RefusalNote],
+) -> TargetRefusal:
+    """Return the refusal of a target that the symbols allow no plan for any more.
+
+    A proof over facts is one over the site only if every fact taken away was proven. Nor is it
+    one if a piece might be taken and placed from a buffer.
+    """
+    elsewhere = from_elsewhere(study, pieces_to_blame(blame))
+    is_proven = no.is_proven and all(n.is_proven for n in lessons.nogoods)
+    return TargetRefusal(
+        problem=problem,
+        reason=reason_for(problem.target, no.reason, blame),
+        is_proven=is_proven and not elsewhere,
+        is_limit=not no.is_proven,
+        notes=tuple(notes),
+        removals=removals_of(blame),
+        elsewhere=elsewhere,
+    )
+
+
+def given_up(
+    problem: Problem,
+    reason: str,
+    notes: Iterable[RefusalNote],
+    elsewhere: tuple[ComponentId, ...],
+    *,
+    is_limit: bool = False,
+) -> TargetRefusal:
+    """Return the refusal of a target whose motions failed too often; never a proof."""
+    return TargetRefusal(
+        problem=problem,
+        reason=reason,
+        is_proven=False,
+        is_limit=is_limit,
+        notes=tuple(notes),
+        elsewhere=elsewhere,
+    )
+
+
+def from_elsewhere(study: Study, pieces: Iterable[ComponentId]) -> tuple[ComponentId, ...]:
+    """Return the pieces that might serve if they lay, or were held, differently."""
+    return tuple(p for p in pieces if study.might_serve_from_elsewhere(p))
+
+
+def note_of_motion(
+    target: ComponentId, refused: SequenceRefusal, calls: tuple[SkillCall, ...], then: str
+) -> RefusalNote:
+    """Return the note of a plan that geometry refused, and what was tried next."""
+    refusal = refused.cause.refusal
+    return RefusalNote(
+        target=target,
+        kind=type(refusal).__name__,
+        reason=refused_call(refused, calls, scope="", attempt=1).evidence,
+        is_proven=is_proof(refusal),
+        is_replanned=True,
+        blockers=next(iter(removals_of_refused(refused)), ()),
+        then=then,
+    )
+
+
+def notes_of_study(
+    target: ComponentId, study: Study, calls: tuple[SkillCall, ...] = ()
+) -> tuple[RefusalNote, ...]:
+    """Return what the batch check found impossible, and which calls of a plan do it otherwise."""
+    return tuple(
+        RefusalNote(
+            target=target,
+            kind=type(r.refusal).__name__,
+            reason=r.nogood.evidence,
+            is_proven=r.nogood.is_proven,
+            blockers=next(iter(r.nogood.removals), ()),
+            then=_done_instead(r.nogood.fact, calls),
+        )
+        for r in study.refusals
+    )
+
+
+def _done_instead(fact: Fact, calls: tuple[SkillCall, ...]) -> str:
+    """Return who does in a plan what a robot cannot, or which other piece is taken."""
+    _, robot, *about = fact
+    acts = [c for c in calls if c.skill in (Skill.GRASP, Skill.FASTEN, Skill.APPLY_FINISH)]
+    same = next((c for c in acts if c.arguments[0] in about), None)
+    if same is not None:
+        return f"{same.robot} does it" if same.robot != robot else ""
+    other = next((c for c in acts if c.skill == Skill.GRASP), None)
+    return "" if other is None else f"{other.robot} takes {other.arguments[0]}"
+
+
+def notes_of_choices(
+    target: ComponentId, study: Study, site: Jobsite, motions: PlannedSequence
+) -> tuple[RefusalNote, ...]:
+    """Return where a plan holds a piece, or leans a tool, because the first choice would not do."""
+    held = (
+        _note_of_grasp(target, holding, site.world_T_piece[holding.piece])
+        for (robot, piece), holding in study.holdings.items()
+        if holding.passed_over
+        and holding.grasp.cost >= _NEWS
+        and any(
+            (c.skill, c.robot, c.arguments[0]) == (Skill.GRASP, robot, piece) for c in motions.calls
+        )
+    )
+    leaning = (
+        RefusalNote(
+            target=target,
+            kind=type(skill.chosen.refusal).__name__,
+            reason=f"{call.robot} cannot stand upright on {call.arguments[0]}: "
+            f"{in_words(skill.chosen.refusal)}",
+            is_proven=is_proof(skill.chosen.refusal),
+            then=f"it leans ({skill.chosen.label})",
+        )
+        for call, skill in zip(motions.calls, motions.skills, strict=True)
+        if skill.chosen is not None
+    )
+    return (*held, *leaning)
+
+
+def _note_of_grasp(target: ComponentId, holding: Holding, world_T_piece: Pose) -> RefusalNote:
+    dropped = ", ".join(f"{name} ({n})" for name, n in holding.passed_over)
+    return RefusalNote(
+        target=target,
+        kind="NoGrasp",
+        reason=f"{holding.robot} cannot hold {holding.piece} straight at its middle: "
+        f"cheaper grasps fail at {dropped}",
+        is_proven=False,
+        then=f"it is held {how_held(holding.grasp, world_T_piece)}",
+    )

@@ -1,0 +1,101 @@
+"""A beam that no robot can carry all the way is laid down between, and taken from there."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from builders_relay import HAND_OVER, REGRASP, Relay
+from builders_site import RealSite, check_journal_against_physics
+from sitewright.app.planning import PlanReport, plan_project
+from sitewright.app.project import open_project
+from sitewright.interaction_twin.labels import labels_of
+from sitewright.interaction_twin.proposal_view import plan_lines, view_of
+from sitewright.robot_team.skill import Skill
+
+OK = 0
+
+
+def planned(relay: Relay, folder: Path) -> PlanReport:
+    return plan_project(open_project(relay.write(folder)))
+
+
+def handling(report: PlanReport) -> list[tuple[str, str, str]]:
+    """Return skill, robot and last place of each act of the only plan."""
+    (plan,) = report.planned
+    calls = (s.call for s in plan.proposal.steps)
+    acts = [c for c in calls if c.skill not in (Skill.REACH, Skill.RETRACT)]
+    return [(c.skill, c.robot, (*c.arguments, *c.arguments)[1]) for c in acts]
+
+
+@pytest.mark.parametrize(
+    ("relay", "taker", "words"),
+    [
+        (HAND_OVER, "arm-b", "arm-a lays it down at between, where arm-b takes it"),
+        (REGRASP, "arm-a", "arm-a lays it down at between and takes it differently"),
+    ],
+    ids=["hand-over", "regrasp"],
+)
+def test_a_beam_goes_by_way_of_the_buffer_and_the_proposal_says_so(
+    tmp_path: Path, relay: Relay, taker: str, words: str
+) -> None:
+    report = planned(relay, tmp_path / "p")
+    assert handling(report) == [
+        (Skill.GRASP, "arm-a", "pallet-thick"),
+        (Skill.SET_DOWN, "arm-a", "between"),
+        (Skill.GRASP, taker, "between"),
+        (Skill.POSITION, taker, "support-1"),
+        (Skill.RELEASE, taker, "support-1"),
+    ]
+    project = open_project(tmp_path / "p")
+    view = view_of(
+        report.planned[0].proposal,
+        labels_of(project.model, project.cell),
+        refusals=report.refusals,
+    )
+    assert any(line.endswith(f"instead: {words}") for line in plan_lines(view))
+
+
+def test_without_a_place_between_the_refusal_is_a_proof(tmp_path: Path) -> None:
+    """Each arm alone is out of reach of one end for certain, and there is no place between."""
+    folder = HAND_OVER.write(tmp_path / "p")
+    cell = folder / "cell.toml"
+    head, tail = cell.read_text().split("[[station]]")
+    cell.write_text(head + tail[tail.index("[[stock_place]]") :])
+    (refused,) = plan_project(open_project(folder)).escalated
+    assert refused.is_proven
+    assert refused.verdict == "proven impossible"
+
+
+def test_where_the_second_arm_does_not_reach_the_place_between_it_is_no_proof(
+    tmp_path: Path,
+) -> None:
+    far = replace(HAND_OVER, arms=(("a", -2.1, 0.0), ("b", 4.7, 0.0)))
+    (refused,) = planned(far, tmp_path / "p").escalated
+    assert not refused.is_proven
+    assert refused.verdict == "not found within budget"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("relay", "grippers"),
+    [(HAND_OVER, {"arm-a", "arm-b"}), (REGRASP, {"arm-a"})],
+    ids=["hand-over", "regrasp"],
+)
+def test_a_beam_that_is_passed_on_is_built_in_simulation(
+    tmp_path: Path, relay: Relay, grippers: set[str]
+) -> None:
+    relay.write(tmp_path / "project")
+    site = RealSite(tmp_path)
+    try:
+        ended = site.run()
+        assert ended.exit_code == OK, ended.message or ended.said
+        assert ended.document["targets_installed"] == ended.document["targets_total"] == 1
+        assert ended.document["unallowed_contacts"] == 0
+        assert {e["robot"] for e in site.physical("gripped")} == grippers
+        assert len(site.physical("gripped")) == 2
+        check_journal_against_physics(site, nails=0)
+    finally:
+        site.clean_up()
