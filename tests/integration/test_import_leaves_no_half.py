@@ -9,6 +9,7 @@ import pytest
 from sitewright.app import importing
 from sitewright.app.import_records import imported_source, read_record
 from sitewright.app.importing import ImportOptions, import_file
+from sitewright.app.project import ProjectError
 from sitewright.building_model.formats.native import read_building
 from sitewright.journal.blobs import write_whole
 
@@ -44,7 +45,7 @@ def test_an_import_that_dies_leaves_no_project(
         write_whole(path, data)
 
     monkeypatch.setattr(importing, "write_whole", dying)
-    with pytest.raises(OSError, match="full"):
+    with pytest.raises(ProjectError, match="full"):
         import_file(block, out, ImportOptions(unit="m"))
     assert out.exists() == exists
     assert not (out / "building.json").exists()

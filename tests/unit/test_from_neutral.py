@@ -491,7 +491,7 @@ def test_an_ambiguous_name_in_operations_is_told_by_that_name() -> None:
         ("[" * 5000, "nested deeper"),
         ('[{"process": "nail", "process": "screw"}]', "stands twice"),
         (
-            '[{"process": "nail", "at": [1%s, 0, 0], "direction": [0,0,1]}]' % ("0" * 400),
+            '[{"process": "nail", "at": [1%s, 0, 0], "direction": [0,0,1]}]' % ("0" * 250),
             "no place",
         ),
         ('[{"process": "nail", "at": [1e400, 0, 0], "direction": [0,0,1]}]', "too large"),

@@ -18,7 +18,13 @@ from sitewright.app.project import BUILDING, CELL, ProjectError, example_folder
 from sitewright.app.two_arm_cell import two_arm_cell
 from sitewright.building_model.component import Source
 from sitewright.building_model.formats.cut_joints import cut_joints
-from sitewright.building_model.formats.detect import FileKind, kind_of, read_limited, refused
+from sitewright.building_model.formats.detect import (
+    FileKind,
+    kind_of,
+    looks_like,
+    read_limited,
+    refused,
+)
 from sitewright.building_model.formats.foreign_files import READERS, read_foreign
 from sitewright.building_model.formats.from_neutral import model_of, targets_in
 from sitewright.building_model.formats.import_map import ImportMap, read_map
@@ -153,7 +159,18 @@ def write_project(folder: Path, content: Mapping[str, bytes]) -> None:
     Args:
         folder: New, or with files of the user's, which stay.
         content: What to write, by path in the folder.
+
+    Raises:
+        ProjectError: The place cannot be written.
     """
+    try:
+        _write(folder, content)
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise ProjectError(f"{folder} cannot be written: {reason}. Name another folder.") from error
+
+
+def _write(folder: Path, content: Mapping[str, bytes]) -> None:
     if folder.exists():
         _write_into(folder, content)
         return
@@ -184,13 +201,14 @@ def read_design(
         ModelRejectedError: The file or the map cannot be read, or parts of it are wrong.
         BackendMissingError: The extra for this kind of file is not installed.
     """
-    kind = kind_of(read_limited(file))
+    content = read_limited(file)
+    kind = kind_of(content)
     demand_meaning(kind, _given(options))
     _demand_extra(kind)
     if kind is FileKind.NATIVE:
         return kind, _native(file), []
     if kind not in READERS:
-        message = f"this is no design that Sitewright reads (it looks like: {kind})."
+        message = f"this is no design that Sitewright reads (it looks like: {looks_like(content)})."
         known = "Rhino .3dm, IFC, BTLx, OBJ, compas_timber, compas_assembly or bar-frame JSON"
         raise refused(file, "E3", message, f"Give it one of: {known}.")
     words = ImportMap() if options.map_file is None else read_map(options.map_file)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import sys
 import traceback
@@ -48,8 +49,8 @@ def _what(error: BaseException) -> tuple[int, str]:
             return INTERRUPTED, "interrupted"
         case click.ClickException():
             return USAGE, error.format_message()
-        case OSError(filename=name, strerror=why) if name:
-            return INTERNAL, f"{name}: {why}"
+        case OSError(filename=name, strerror=why, errno=number) if name:
+            return USAGE if number == errno.ENAMETOOLONG else INTERNAL, f"{name}: {why}"
         case _:
             return INTERNAL, f"{type(error).__name__}: {error}"
 

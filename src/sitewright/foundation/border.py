@@ -43,9 +43,9 @@ def place_of(loc: Iterable[str | int], root: Json) -> str:
         here = _child(here, step)
         if isinstance(step, int):
             identity = here.get("id") if isinstance(here, Mapping) else None
-            place += f"[{identity if isinstance(identity, str) else step + 1}]"
+            place += f"[{_cut(identity) if isinstance(identity, str) else step + 1}]"
         else:
-            place += f".{step}" if place else step
+            place += f".{_cut(step)}" if place else _cut(step)
     return place or "file"
 
 
@@ -80,5 +80,8 @@ def _sentence(kind: str, error: Mapping[str, Any], known: frozenset[str]) -> str
 
 
 def _shortened(value: object) -> str:
-    text = repr(value)
+    return _cut(repr(value))
+
+
+def _cut(text: str) -> str:
     return text if len(text) <= _WIDTH else f"{text[: _WIDTH - 3]}..."

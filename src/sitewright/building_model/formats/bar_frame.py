@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from math import sqrt
 from pathlib import Path
@@ -33,6 +33,7 @@ _METRES: Mapping[str, float] = {
 }
 _SQUARE = "^2"
 _PAIR = 2
+_MAX_CONTACTS = 200_000
 _UP_HINT: Vector = (0.0, 0.0, 1.0)
 
 
@@ -83,6 +84,7 @@ def read_bar_frame(path: Path) -> NeutralFile:
         ModelRejectedError: It cannot be read, or lacks a cross-section.
     """
     frame = validated(_Frame, read_json(path), path)
+    _demand_few_contacts(path, frame.element_list)
     metres = None if frame.unit is None else _metres(path, frame.unit)
     side = _side(path, frame.material_properties, metres)
     nodes = {n.node_id: n for n in frame.node_list}
@@ -156,6 +158,17 @@ def _raw(element: _Element, frame: _Frame) -> dict[str, Json]:
     if frame.base_frame_in_rob_base:
         raw["base_frame_in_rob_base"] = frame.base_frame_in_rob_base
     return raw
+
+
+def _demand_few_contacts(path: Path, elements: Sequence[_Element]) -> None:
+    """Refuse a node that so many bars share that their pairs fill the memory."""
+    bars = Counter(node for e in elements for node in set(e.end_node_ids))
+    pairs = sum(n * (n - 1) // 2 for n in bars.values())
+    if pairs > _MAX_CONTACTS:
+        node, count = bars.most_common(1)[0]
+        message = f"its nodes give {pairs} contacts of bars, more than {_MAX_CONTACTS}; "
+        most = f"node {node} alone joins {count} bars."
+        raise refused(path, "E2", message + most, "Export a part of the frame.")
 
 
 def _contacts(elements: list[_Element]) -> Iterator[NeutralRelation]:

@@ -125,6 +125,10 @@ def _count_problems(node: XmlNode, label: str, places: int) -> tuple[tuple[str, 
     count = whole(node.attributes.get("Count"), default=1)
     if count == places:
         return ()
+    if count is None:
+        stated = node.attributes["Count"][:40]
+        message = f"Part {label}: its Count {stated!r} is no whole number."
+        return (("P5", message, "Correct the count."),)
     if count > places:
         rest = f"{count - places} {'pieces have' if count - places > 1 else 'piece has'} no pose"
     else:

@@ -136,7 +136,7 @@ def _side(node: XmlNode, size: Vector) -> Pose | None:
         3: (0.0, height, width),
         4: (0.0, 0.0, width),
     }
-    side = whole(node.attributes.get("ReferencePlaneID"), default=0)
+    side = whole(node.attributes.get("ReferencePlaneID"), default=0) or 0
     if side not in corner:
         return None
     return Pose.from_axes(corner[side], (1.0, 0.0, 0.0), _AXES[side])

@@ -21,12 +21,12 @@ def number(text: str | None, default: float = math.nan) -> float:
     return value if abs(value) < _LARGEST else math.nan
 
 
-def whole(text: str | None, default: int) -> int:
-    """Return a whole number, or `default` if the text is none."""
+def whole(text: str | None, default: int) -> int | None:
+    """Return a whole number, `default` without a text, None if the text is no such number."""
     try:
         return int(text) if text else default
     except ValueError:
-        return default
+        return None
 
 
 def element_number(node: XmlNode, tag: str, default: float) -> float:

@@ -75,7 +75,7 @@ def _load(path: str) -> Any:  # noqa: ANN401 - untyped library
             "E2", f"the reader cannot load compas_timber: {error}.", "Reinstall it, or free memory."
         ) from None
     try:
-        model = compas.json_load(path)
+        model = compas.json_loads(Path(path).read_text(encoding="utf-8-sig"))
     except Exception as error:  # noqa: BLE001 - whatever the library meets in a bad file
         kind = type(error).__name__
         raise UnreadableError(

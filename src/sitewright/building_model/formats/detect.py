@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import stat
 from enum import StrEnum
 from pathlib import Path
 
@@ -12,6 +13,16 @@ MAX_JSON_BYTES = 100_000_000
 _LFS = b"version https://git-lfs.github.com/spec/"
 _OBJ_WORDS = frozenset(
     {b"v", b"vn", b"vt", b"vp", b"f", b"l", b"p", b"o", b"g", b"s", b"mtllib", b"usemtl"}
+)
+
+_MARKS = (
+    (b"PK\x03\x04", "a ZIP archive, which must be unpacked first"),
+    (b"\x1f\x8b", "a gzip archive, which must be unpacked first"),
+    (b"BZh", "a bzip2 archive, which must be unpacked first"),
+    (b"\xfd7zXZ", "an xz archive, which must be unpacked first"),
+    (b"7z\xbc\xaf", "a 7-Zip archive, which must be unpacked first"),
+    (b"\xff\xfe", "UTF-16 text, which must be saved as UTF-8"),
+    (b"\xfe\xff", "UTF-16 text, which must be saved as UTF-8"),
 )
 
 
@@ -36,9 +47,7 @@ def read_limited(path: Path) -> bytes:
     Raises:
         ModelRejectedError: It is missing, no file, empty, too large or a Git LFS pointer.
     """
-    if not path.is_file():
-        raise refused(path, "E2", "there is no such file.", "Check the path.")
-    size = path.stat().st_size
+    size = _size(path)
     if size == 0:
         raise refused(path, "E2", "the file is empty.", "Export it again.")
     if size > MAX_FILE_BYTES:
@@ -48,10 +57,30 @@ def read_limited(path: Path) -> bytes:
             f"the file has {size / 1e6:.0f} MB, more than {MAX_FILE_BYTES / 1e6:.0f}.",
             "Export only the part that is to be built.",
         )
-    content = path.read_bytes()
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise _unreadable(path, error) from None
     if content.startswith(_LFS):
         raise refused(path, "E2", "the file is a Git LFS pointer.", "Run: git lfs pull")
     return content
+
+
+def _size(path: Path) -> int:
+    try:
+        status = path.stat()
+    except FileNotFoundError:
+        raise refused(path, "E2", "there is no such file.", "Check the path.") from None
+    except OSError as error:
+        raise _unreadable(path, error) from None
+    if not stat.S_ISREG(status.st_mode):
+        raise refused(path, "E2", "it is no ordinary file.", "Name the file of the design itself.")
+    return status.st_size
+
+
+def _unreadable(path: Path, error: OSError) -> ModelRejectedError:
+    reason = error.strerror or str(error)
+    return refused(path, "E2", f"it cannot be read: {reason}.", "Check the path and its rights.")
 
 
 def kind_of(content: bytes) -> FileKind:
@@ -62,10 +91,18 @@ def kind_of(content: bytes) -> FileKind:
     if head.startswith(b"ISO-10303-21"):
         return FileKind.IFC
     if head.startswith(b"<"):
-        return FileKind.BTLX if b"design2machine" in head else FileKind.UNKNOWN
+        return FileKind.BTLX if b"design2machine" in content else FileKind.UNKNOWN
     if head.startswith(b"{"):
         return _json_kind(content)
     return FileKind.OBJ if _looks_like_obj(head) else FileKind.UNKNOWN
+
+
+def looks_like(content: bytes) -> str:
+    """Return what a file without a reader is, in words."""
+    for mark, words in _MARKS:
+        if content.startswith(mark):
+            return words
+    return str(kind_of(content))
 
 
 def refused(path: Path, code: str, message: str, fix: str) -> ModelRejectedError:

@@ -12,6 +12,8 @@ from sitewright.building_model.model import RelationKind
 
 SCHEMA = "sitewright.building/1"
 
+MAX_COMPONENTS = 50_000
+"""Of one building, the generated pieces of its stacks included."""
 _UNIT_TOLERANCE = 1e-3
 
 Id = Annotated[str, Field(pattern=r"^[A-Za-z0-9_$.\-]{1,64}$")]
@@ -48,14 +50,14 @@ class PoseFile(FileModel):
 class BoxFile(FileModel):
     """A box centred on the component frame, x along the grain."""
 
-    size_m: tuple[float, float, float]
+    size_m: Point
 
 
 class ExtrusionFile(FileModel):
     """A profile in x-y pulled along +z."""
 
     profile_m: list[Point2] = Field(min_length=3)
-    depth_m: float
+    depth_m: Coordinate
     holes_m: list[list[Point2]] = []
 
 
@@ -277,7 +279,7 @@ class BuildingFile(FileModel):
     build: BuildFile = BuildFile()
     materials: dict[str, MaterialFile] = {}
     component_types: dict[str, Free] = {}
-    components: Annotated[list[ComponentFile], Field(max_length=50_000)] = []
+    components: Annotated[list[ComponentFile], Field(max_length=MAX_COMPONENTS)] = []
     relations: list[RelationFile] = []
     stacks: list[StackFile] = []
     rules: list[Free] = []

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from xml.parsers import expat
 
@@ -12,6 +12,9 @@ from sitewright.errors import ModelRejectedError
 
 MAX_NODES = 2_000_000
 MAX_DEPTH = 64
+MAX_ATTRIBUTES = 1_000
+MAX_TEXT = 1_000_000
+_NO_ATTRIBUTES: Mapping[str, str] = {}
 _SEPARATOR = " "
 _CUT_OFF = frozenset(
     {
@@ -37,7 +40,7 @@ class XmlNode:
     tag: str
     attributes: Mapping[str, str]
     text: str = ""
-    children: list[XmlNode] = field(default_factory=list)
+    children: Sequence[XmlNode] = ()
 
     def child(self, tag: str) -> XmlNode | None:
         """Return the first child of a name."""
@@ -74,8 +77,13 @@ def read_xml(path: Path, content: bytes) -> XmlNode:
 
 
 class _Builder:
+    """Hears the parser; nodes without children or attributes share the empty ones."""
+
     def __init__(self, path: Path) -> None:
         self._path, self._open, self._total = path, list[XmlNode](), 0
+        self._names: dict[str, tuple[str, str]] = {}
+        self._texts: list[str] = []
+        self._chars = 0
         self._first: XmlNode | None = None
 
     def doctype(self, *_: object) -> None:
@@ -86,19 +94,53 @@ class _Builder:
         if self._total > MAX_NODES or len(self._open) >= MAX_DEPTH:
             message = f"it has more than {MAX_NODES} nodes, or is deeper than {MAX_DEPTH}."
             raise refused(self._path, "E2", message, "Export only what is to be built.")
-        namespace, _, tag = name.rpartition(_SEPARATOR)
-        node = XmlNode(namespace, tag, attributes)
+        self._demand_short(attributes)
+        self._keep_text()
+        namespace, tag = self._name(name)
+        node = XmlNode(namespace, tag, attributes or _NO_ATTRIBUTES)
         if self._open:
-            self._open[-1].children.append(node)
+            above = self._open[-1]
+            if isinstance(above.children, list):
+                above.children.append(node)
+            else:
+                above.children = [node]
         else:
             self._first = node
         self._open.append(node)
 
     def end(self, _name: str) -> None:
+        self._keep_text()
         self._open.pop()
 
     def text(self, text: str) -> None:
-        self._open[-1].text += text
+        self._chars += len(text)
+        if self._chars > MAX_TEXT:
+            raise self._too_long(f"a text in {self._open[-1].tag!r}")
+        self._texts.append(text)
+
+    def _keep_text(self) -> None:
+        if self._texts:
+            self._open[-1].text += "".join(self._texts)
+            self._texts.clear()
+        self._chars = 0
+
+    def _demand_short(self, attributes: Mapping[str, str]) -> None:
+        if len(attributes) > MAX_ATTRIBUTES:
+            message = f"an element has {len(attributes)} attributes, more than {MAX_ATTRIBUTES}."
+            raise refused(self._path, "E2", message, "Export it again.")
+        for key, value in attributes.items():
+            if len(key) + len(value) > MAX_TEXT:
+                raise self._too_long(f"attribute {key[:40]!r}")
+
+    def _too_long(self, what: str) -> ModelRejectedError:
+        message = f"{what} is longer than {MAX_TEXT} characters."
+        return refused(self._path, "E2", message, "Remove it, and export it again.")
+
+    def _name(self, name: str) -> tuple[str, str]:
+        if name not in self._names:
+            namespace, _, tag = name.rpartition(_SEPARATOR)
+            self._names[name] = namespace, tag
+        return self._names[name]
 
     def root(self) -> XmlNode:
         assert self._first is not None  # noqa: S101 - expat refuses a text without elements
