@@ -2,6 +2,7 @@
 # `make demo` : the wooden frame, planned, approved by policy, built in simulation; no terminal needed
 # `make test` : all tests; what this machine lacks is skipped by name, with how to enable it
 # `make lint` : style, types and the import contracts
+# `make page` : the page's bundle from its TypeScript (needs node and npm); CI compares it with the committed one
 # `make lock` : new lock files after a change of pyproject.toml (needs uv)
 
 PYTHON ?= python3
@@ -11,7 +12,7 @@ JOBS ?= 2
 TESTS ?=
 DEMO_DIR ?= sitewright-demo
 
-.PHONY: env dev-env all-env demo test lint lock clean
+.PHONY: env dev-env all-env demo test lint page lock clean
 
 env: .venv/.base
 dev-env: .venv/.dev
@@ -44,6 +45,10 @@ lint: dev-env
 	$(BIN)/ruff format --check src tests benchmarks tools examples
 	$(BIN)/mypy src tests
 	$(BIN)/lint-imports --no-cache
+
+PAGE := src/sitewright/interaction_twin/page
+page:
+	cd $(PAGE) && npm ci --ignore-scripts --no-audit --no-fund && npm run --silent check && npm run --silent build
 
 UV_COMPILE = uv pip compile pyproject.toml --generate-hashes --no-emit-index-url --no-emit-find-links \
   --universal --python-version 3.11 --no-header --quiet

@@ -1,0 +1,325 @@
+// The cell as a picture: robots as sensed or as rehearsed, components, zones, the way of a step.
+import { Box3, BoxGeometry, CatmullRomCurve3, Group, Matrix4, Mesh, TubeGeometry, Vector3, type Intersection, type Object3D } from "three";
+import type { Rehearsal } from "../preview/rehearsal";
+import type { ComponentRecord, Scene, StepRecord, Vec3 } from "../wire";
+import type { View } from "./camera";
+import { bodyColour, bodyMaterial, COLOUR, veil } from "./looks";
+import { Pieces } from "./pieces";
+import { matrixOf } from "./poses";
+import { Shapes } from "./shapes";
+import { Stage } from "./stage";
+import { ground, surroundings } from "./surroundings";
+import { Team, type TeamLook } from "./team";
+
+export type Mode = "now" | "preview" | "target" | "as-built";
+
+export interface Tag {
+  id: string;
+  number: number;
+  x: number;
+  y: number;
+}
+
+const TOOL = bodyMaterial(COLOUR.tool);
+const SOLID: TeamLook = { arm: (index) => ARM[index % ARM.length] ?? TOOL, tool: TOOL };
+const ARM = Array.from({ length: 6 }, (_, index) => bodyMaterial(bodyColour(index)));
+const GREY = bodyMaterial(COLOUR.stale);
+const STALE: TeamLook = { arm: () => GREY, tool: GREY };
+const VEIL = veil(COLOUR.path, 0.32);
+const GHOST: TeamLook = { arm: () => VEIL, tool: VEIL };
+const PATH = bodyMaterial(COLOUR.path);
+
+/** Holds the parts of the picture and puts them as it is told. */
+export class CellPicture {
+  readonly stage: Stage;
+  onPick: (component: string | null) => void = () => undefined;
+  onGround: (x: number, y: number) => void = () => undefined;
+  private scene: Scene | null = null;
+  private parts = new Group();
+  private zones: Object3D[] = [];
+  private shapes = new Shapes({});
+  private live: Team | null = null;
+  private rehearsed: Team | null = null;
+  private pieces: Pieces | null = null;
+  private building: Pieces | null = null;
+  private rehearsal: Rehearsal | null = null;
+  private readonly path = new Mesh(undefined, PATH);
+  private readonly draft = new Mesh(new BoxGeometry(1, 1, 1), veil(COLOUR.keepOut, 0.35));
+  private mode: Mode = "now";
+  private time_s = 0;
+  private step: StepRecord | null = null;
+  private isStale = false;
+  private followed: string | null = null;
+  private isShown: (component: ComponentRecord) => boolean = () => true;
+  private readonly sensed = new Map<string, Matrix4>();
+
+  constructor(canvas: HTMLCanvasElement, frame: HTMLElement, pixelRatio: number) {
+    this.stage = new Stage(canvas, frame, pixelRatio);
+    this.stage.onTap = (hits) => this.pick(hits);
+    this.path.raycast = () => undefined;
+    this.path.visible = false;
+    this.draft.raycast = () => undefined;
+    this.draft.visible = false;
+    this.stage.world.add(this.path, this.draft);
+  }
+
+  /** Builds the picture of a scene document anew; the eye stays where it is after the first. */
+  setScene(scene: Scene): void {
+    const isFirst = this.scene === null;
+    this.clear();
+    this.scene = scene;
+    this.shapes = new Shapes(scene.geometries);
+    this.live = new Team(scene, this.shapes, SOLID);
+    this.rehearsed = new Team(scene, this.shapes, GHOST);
+    this.rehearsed.root.traverse((node) => {
+      node.raycast = () => undefined;
+    });
+    this.pieces = new Pieces(scene.components, this.shapes);
+    this.building = new Pieces(asBuilding(scene), this.shapes);
+    const still = surroundings(scene, this.shapes);
+    this.zones = still.children.filter((child) => child.name.startsWith("zone "));
+    this.parts = new Group().add(still, this.live.root, this.rehearsed.root, this.pieces.root, this.building.root);
+    this.stage.world.add(this.parts);
+    const bounds = boundsOf(scene);
+    this.parts.add(ground(scene.ground_z_m));
+    this.stage.setBounds(lookedAt(scene, bounds));
+    if (isFirst) this.stage.camera.look("whole");
+    this.refresh();
+  }
+
+  get team(): Team | null {
+    return this.rehearsed;
+  }
+
+  get sensedPoses(): ReadonlyMap<string, Matrix4> {
+    const documented = this.scene?.components.map((c) => [c.id, matrixOf(c.world_T)] as const) ?? [];
+    return new Map([...documented, ...this.sensed]);
+  }
+
+  setJoints(values: ArrayLike<number>): void {
+    this.live?.setJoints(values);
+    if (this.followed !== null && this.live !== null && this.mode === "now") {
+      this.stage.camera.follow(new Vector3().setFromMatrixPosition(this.live.tcpOf(this.followed)));
+    }
+    this.stage.ask();
+  }
+
+  /** Takes the poses of all pieces that are not where the document has them. */
+  setSensedPoses(poses: ReadonlyMap<string, Matrix4>): void {
+    const gone = [...this.sensed.keys()].filter((id) => !poses.has(id));
+    this.sensed.clear();
+    for (const [id, pose] of poses) this.sensed.set(id, pose);
+    if (this.mode === "preview") return;
+    const documented = new Map(this.scene?.components.map((c) => [c.id, c]));
+    for (const id of gone) {
+      const record = documented.get(id);
+      if (record !== undefined) this.pieces?.setPose(id, matrixOf(record.world_T));
+    }
+    for (const [id, pose] of poses) this.pieces?.setPose(id, pose);
+    this.stage.ask();
+  }
+
+  setStale(isStale: boolean): void {
+    if (isStale === this.isStale) return;
+    this.isStale = isStale;
+    this.refresh();
+  }
+
+  setMode(mode: Mode): void {
+    this.mode = mode;
+    this.refresh();
+  }
+
+  setFilter(isShown: (component: ComponentRecord) => boolean): void {
+    this.isShown = isShown;
+    this.refresh();
+  }
+
+  setLit(colourById: ReadonlyMap<string, string>): void {
+    this.pieces?.setLit(colourById);
+    this.building?.setLit(colourById);
+    this.stage.ask();
+  }
+
+  setRehearsal(rehearsal: Rehearsal | null): void {
+    this.rehearsal = rehearsal;
+    this.refresh();
+  }
+
+  setStep(step: StepRecord | null): void {
+    this.step = step;
+    this.drawPath();
+    this.refresh();
+  }
+
+  setTime(time_s: number): void {
+    this.time_s = time_s;
+    if (this.mode === "preview") this.poseRehearsal();
+    this.stage.ask();
+  }
+
+  /** Shows the keep-out zone that is being drawn. */
+  setDraft(box: { centre: Vec3; size: Vec3 } | null): void {
+    this.draft.visible = box !== null;
+    if (box !== null) {
+      this.draft.position.set(...box.centre);
+      this.draft.scale.set(...box.size);
+    }
+    this.stage.ask();
+  }
+
+  look(view: View): void {
+    this.followed = null;
+    this.stage.camera.look(view);
+  }
+
+  /** Looks at the building alone, or at the whole cell again. */
+  lookAtBuilding(isWished: boolean): void {
+    if (this.scene === null) return;
+    const box = isWished ? boxOf(asBuilding(this.scene)) : lookedAt(this.scene, boundsOf(this.scene));
+    this.stage.camera.setBounds(box);
+    this.look("whole");
+  }
+
+  lookFromRobot(robot: string): void {
+    this.followed = null;
+    const record = this.scene?.robots.find((r) => r.id === robot);
+    if (record !== undefined) this.stage.camera.lookFrom(new Vector3(...record.world_T_base.p_m));
+  }
+
+  follow(robot: string | null): void {
+    this.followed = robot;
+  }
+
+  /** Returns where on the picture a component's middle is. */
+  project(component: string): { x: number; y: number } | null {
+    const pose = this.pieces?.poseOf(component);
+    return pose === undefined ? null : this.stage.project(new Vector3().setFromMatrixPosition(pose));
+  }
+
+  /** Returns where the robots' number plates belong. */
+  tags(): Tag[] {
+    if (this.mode === "target" || this.mode === "as-built") return [];
+    const team = this.mode === "preview" ? this.rehearsed : this.live;
+    return (this.scene?.robots ?? []).flatMap((robot) => {
+      if (team === null) return [];
+      const place = this.stage.project(new Vector3(...robot.world_T_base.p_m).add(new Vector3(0, 0, 0.12)));
+      return place === null ? [] : [{ id: robot.id, number: robot.number, ...place }];
+    });
+  }
+
+  dispose(): void {
+    this.clear();
+    this.stage.dispose();
+  }
+
+  private refresh(): void {
+    const { live, rehearsed, pieces } = this;
+    if (live === null || rehearsed === null || pieces === null) return;
+    const isPreview = this.mode === "preview";
+    const isModel = this.mode === "target" || this.mode === "as-built";
+    live.root.visible = !isPreview && !isModel;
+    live.setLook(this.isStale ? STALE : SOLID);
+    rehearsed.setLook(isPreview ? SOLID : GHOST);
+    rehearsed.root.traverse((node) => {
+      node.castShadow = isPreview;
+    });
+    pieces.root.visible = this.mode !== "target";
+    pieces.setShown((component) => this.isShown(component) && isOfMode(component, this.mode));
+    this.building?.setShown(this.isShown);
+    for (const zone of this.zones) zone.visible = this.mode !== "target";
+    if (this.building !== null) this.building.root.visible = this.mode === "target";
+    for (const [id, pose] of this.sensedPoses) pieces.setPose(id, pose);
+    this.path.visible = this.step !== null && this.path.geometry.attributes["position"] !== undefined && !isModel;
+    this.poseRehearsal();
+    this.stage.ask();
+  }
+
+  private poseRehearsal(): void {
+    const { rehearsed, rehearsal, step } = this;
+    if (rehearsed === null) return;
+    if (this.mode === "preview" && rehearsal !== null) {
+      rehearsed.root.visible = true;
+      rehearsal.pose(this.time_s, rehearsed, this.pieces);
+      rehearsed.setShown(() => true);
+      return;
+    }
+    const isGhost = this.mode === "now" && rehearsal !== null && step !== null && step.motions.length > 0;
+    rehearsed.root.visible = isGhost || this.mode === "preview";
+    if (isGhost) {
+      rehearsal.pose(step.starts_s + step.duration_s, rehearsed, null);
+      rehearsed.setShown((robot) => robot === step.robot);
+    }
+  }
+
+  private drawPath(): void {
+    this.path.geometry.dispose();
+    this.path.visible = false;
+    if (this.step === null || this.rehearsal === null || this.rehearsed === null) return;
+    const points = this.rehearsal.pathOf(this.step, this.rehearsed).map((m) => new Vector3().setFromMatrixPosition(m));
+    const apart = points.filter((p, k) => k === 0 || p.distanceTo(points[k - 1] ?? p) > 1e-4);
+    if (apart.length < 2) return;
+    this.path.geometry = new TubeGeometry(new CatmullRomCurve3(apart), apart.length * 2, 0.009, 6);
+    this.path.visible = true;
+  }
+
+  private pick(hits: Intersection[]): void {
+    const place = hits[0]?.point;
+    if (place !== undefined) this.onGround(place.x, place.y);
+    for (const hit of hits) {
+      if (!isSeen(hit.object)) continue;
+      const component = this.pieces?.componentAt(hit) ?? this.building?.componentAt(hit);
+      if (component !== undefined) {
+        this.onPick(component.id);
+        return;
+      }
+    }
+    this.onPick(null);
+  }
+
+  private clear(): void {
+    this.stage.world.remove(this.parts);
+    this.pieces?.dispose();
+    this.building?.dispose();
+    this.shapes.dispose();
+    this.shapes = new Shapes({});
+    this.sensed.clear();
+  }
+}
+
+/** Returns what is to be built and what is built, all of it as bodies. */
+function asBuilding(scene: Scene): ComponentRecord[] {
+  return scene.components.filter((c) => c.layer === "target" || c.layer === "as_built").map((c) => ({ ...c, layer: "as_built" }));
+}
+
+function isSeen(object: Object3D | null): boolean {
+  return object === null || (object.visible && isSeen(object.parent));
+}
+
+function isOfMode(component: ComponentRecord, mode: Mode): boolean {
+  if (mode === "as-built") return component.layer === "as_built" || component.layer === "virtual_collision";
+  return true;
+}
+
+function boundsOf(scene: Scene): Box3 {
+  const bounds = new Box3();
+  for (const robot of scene.robots) bounds.expandByPoint(new Vector3(...robot.world_T_base.p_m));
+  for (const component of scene.components) bounds.expandByPoint(new Vector3(...component.world_T.p_m));
+  return bounds;
+}
+
+function boxOf(components: readonly ComponentRecord[]): Box3 {
+  const box = new Box3();
+  for (const component of components) box.expandByPoint(new Vector3(...component.world_T.p_m));
+  return box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box.expandByScalar(1.0);
+}
+
+/** Returns the box that the eye is put to: where robots stand and pieces lie, with room for arms. */
+function lookedAt(scene: Scene, bounds: Box3): Box3 {
+  const box = bounds.clone();
+  for (const robot of scene.robots) {
+    const base = new Vector3(...robot.world_T_base.p_m);
+    box.expandByPoint(base.clone().add(new Vector3(0, 0, 2.1)));
+  }
+  return box.expandByVector(new Vector3(0.35, 0.25, 0));
+}

@@ -1,0 +1,138 @@
+// Trouble in words, with what can be done; the picture lights what is in the way.
+import { useEffect, useState } from "preact/hooks";
+import { decide } from "../state/decisions";
+import { ask } from "../state/server";
+import { blockers, isReachable, labelOf, may, mode, proposal, run } from "../state/store";
+import type { Option, Question, Trouble } from "../wire";
+import { inNumbers, say, sayWord } from "../words/words";
+import { Dialog } from "./dialog";
+
+export function NeedsHelp() {
+  const state = run.value;
+  const trouble = state?.trouble ?? [];
+  const ids = trouble.flatMap((t) => [...(t.pair ?? []), ...t.blockers]).map((id) => id.split("/")[0] ?? id);
+  useEffect(() => {
+    blockers.value = [...new Set(ids)];
+  }, [ids.join(" ")]);
+  if (state === null || (state.question === null && trouble.length === 0)) return null;
+  return (
+    <section class="help" aria-label={say("help.title")}>
+      {state.question !== null && <Ask question={state.question} />}
+      {trouble.map((t) => (
+        <Stuck key={t.target} trouble={t} />
+      ))}
+    </section>
+  );
+}
+
+function Ask({ question }: { question: Question }) {
+  return (
+    <div class="trouble">
+      <h2>{say("question.title")}</h2>
+      <p>{question.text}</p>
+      <div class="buttons">
+        {question.answers.map((answer) => (
+          <button
+            type="button"
+            key={answer}
+            disabled={!isReachable.value || !may("answer")}
+            onClick={() => void decide({ fingerprint: "", verb: "answer", question_id: question.question_id, answer })}
+          >
+            {sayWord("answer", answer)}
+          </button>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function Stuck({ trouble }: { trouble: Trouble }) {
+  const [isManual, setManual] = useState(false);
+  const [first, second] = trouble.pair ?? [];
+  return (
+    <div class="trouble">
+      <h2>
+        {say("help.title")}: {trouble.name}
+      </h2>
+      <p>{trouble.reason}</p>
+      {first !== undefined && second !== undefined && <p class="pair">{say("help.pair", { first: labelOf(first), second: labelOf(second) })}</p>}
+      <div class="buttons">
+        {blockers.value.length > 0 && (
+          <button type="button" onClick={() => (mode.value = "now")}>
+            {say("help.show")}
+          </button>
+        )}
+        {trouble.options.map((option) => (
+          <OptionButton key={option.id} option={option} />
+        ))}
+        {may("manual") && (
+          <button type="button" onClick={() => setManual(true)}>
+            {say("help.manual")}
+          </button>
+        )}
+      </div>
+      {trouble.options.length === 0 && <p class="soft">{say("help.none")}</p>}
+      {isManual && <ManualDialog target={trouble.target} name={trouble.name} onClose={() => setManual(false)} />}
+    </div>
+  );
+}
+
+function OptionButton({ option }: { option: Option }) {
+  const fingerprint = proposal.value?.fingerprint ?? "";
+  const { verb, call, step } = option;
+  return (
+    <button type="button" disabled={!isReachable.value || !may(verb)} onClick={() => void decide({ fingerprint, verb, ...(call && { call }), ...(step !== undefined && { step }) })}>
+      {option.words}
+      {option.price_s != null && ` (${say("other.price", { seconds: `+${inNumbers(option.price_s)}` })})`}
+    </button>
+  );
+}
+
+interface Effect {
+  fact: string;
+  words: string;
+}
+
+/** A checklist of what is true now, by the words of the server. */
+function ManualDialog({ target, name, onClose }: { target: string; name: string; onClose: () => void }) {
+  const [effects, setEffects] = useState<Effect[]>([]);
+  const [ticked, setTicked] = useState<ReadonlySet<string>>(new Set());
+  const [trouble, setTrouble] = useState("");
+  useEffect(() => {
+    ask<{ effects: Effect[] }>(`/api/manual/${target}`).then((answer) => setEffects(answer.effects), (error: Error) => setTrouble(error.message));
+  }, [target]);
+  const toggle = (fact: string): void => {
+    const next = new Set(ticked);
+    if (!next.delete(fact)) next.add(fact);
+    setTicked(next);
+  };
+  const send = (event: Event): void => {
+    event.preventDefault();
+    onClose();
+    void decide({ fingerprint: proposal.value?.fingerprint ?? "", verb: "manual", target, effects: [...ticked] });
+  };
+  return (
+    <Dialog title={say("manual.title", { name })} onClose={onClose}>
+      <form onSubmit={send}>
+        <p>{say("manual.text")}</p>
+        {trouble !== "" && <p role="alert">{say("failed", { reason: trouble })}</p>}
+        <fieldset class="choices">
+          {effects.map((effect) => (
+            <label key={effect.fact}>
+              <input type="checkbox" checked={ticked.has(effect.fact)} onChange={() => toggle(effect.fact)} />
+              {effect.words}
+            </label>
+          ))}
+        </fieldset>
+        <footer>
+          <button type="button" onClick={onClose}>
+            {say("act.cancel")}
+          </button>
+          <button type="submit" class="warn" disabled={ticked.size === 0 || !isReachable.value}>
+            {say("act.send")}
+          </button>
+        </footer>
+      </form>
+    </Dialog>
+  );
+}

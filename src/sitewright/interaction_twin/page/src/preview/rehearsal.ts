@@ -1,0 +1,127 @@
+// A plan played without robots: where everything is at a time, from the exact trajectories alone.
+import { Matrix4 } from "three";
+import type { Pieces } from "../cell/pieces";
+import { matrixOf } from "../cell/poses";
+import type { Team } from "../cell/team";
+import type { MotionRecord, Pose, Proposal, Scene, StepRecord } from "../wire";
+import { positionsAt, type Trajectory } from "./trajectory";
+
+/** From `time_s` on a piece hangs on a robot's tip (`pose` relative to it), or lies in the site. */
+interface PieceKey {
+  time_s: number;
+  piece: string;
+  robot: string | null;
+  pose: Matrix4;
+}
+
+interface ToolKey {
+  time_s: number;
+  tool: string;
+  robot: string | null;
+  pose: Pose;
+}
+
+export interface StartOfPlan {
+  postures: ReadonlyMap<string, readonly number[]>;
+  poses: ReadonlyMap<string, Matrix4>;
+  gripped: ReadonlyMap<string, string>;
+}
+
+/** Knows the whole plan as keys over time; `pose` puts a team and its pieces to one moment. */
+export class Rehearsal {
+  private readonly motions: MotionRecord[];
+  private readonly pieceKeys: PieceKey[] = [];
+  private readonly toolKeys: ToolKey[] = [];
+  readonly duration_s: number;
+
+  constructor(
+    readonly proposal: Proposal,
+    private readonly trajectories: ReadonlyMap<string, Trajectory>,
+    private readonly scene: Scene,
+    private readonly start: StartOfPlan,
+    team: Team,
+  ) {
+    this.motions = proposal.steps.flatMap((step) => step.motions);
+    this.duration_s = Math.max(0, ...proposal.steps.map((step) => step.starts_s + step.duration_s));
+    this.readTools();
+    this.readPieces(team);
+  }
+
+  /** Returns the joints of a robot at a time. */
+  postureAt(robot: string, time_s: number): readonly number[] {
+    const own = this.motions.filter((motion) => motion.robot === robot);
+    const begun = own.filter((motion) => motion.starts_s <= time_s + 1e-9).at(-1);
+    const motion = begun ?? own[0];
+    const trajectory = motion === undefined ? undefined : this.trajectories.get(motion.trajectory);
+    if (motion === undefined || trajectory === undefined) return this.start.postures.get(robot) ?? [];
+    return positionsAt(trajectory, begun === undefined ? 0 : time_s - motion.starts_s);
+  }
+
+  /** Puts robots, end effectors and pieces as they are at a time of the plan. */
+  pose(time_s: number, team: Team, pieces: Pieces | null): void {
+    for (const record of this.scene.end_effectors) team.attach(record.id, record.on, record.world_T_mount);
+    for (const key of this.toolKeys) if (key.time_s <= time_s + 1e-9) team.attach(key.tool, key.robot, key.pose);
+    for (const robot of this.scene.robots) team.setPosture(robot.id, this.postureAt(robot.id, time_s));
+    if (pieces === null) return;
+    for (const [piece, pose] of this.start.poses) pieces.setPose(piece, pose);
+    for (const key of this.pieceKeys) if (key.time_s <= time_s + 1e-9) pieces.setPose(key.piece, poseOf(key, team));
+  }
+
+  /** Returns the tool's way through the site over a step's motions. */
+  pathOf(step: StepRecord, team: Team, samples = 48): Matrix4[] {
+    return step.motions.flatMap((motion) =>
+      Array.from({ length: samples }, (_, k) => {
+        this.pose(motion.starts_s + (motion.duration_s * k) / (samples - 1), team, null);
+        return team.tcpOf(motion.robot);
+      }),
+    );
+  }
+
+  private readTools(): void {
+    for (const motion of this.motions) {
+      for (const edit of motion.after) {
+        this.toolKeys.push({ time_s: motion.starts_s + motion.duration_s, tool: edit.body, robot: edit.on, pose: edit.pose });
+      }
+    }
+  }
+
+  private readPieces(team: Team): void {
+    for (const [robot, piece] of this.start.gripped) this.hang(0, robot, piece, team);
+    for (const step of this.proposal.steps) {
+      const end_s = step.starts_s + step.duration_s;
+      if (step.picks !== null) this.hang(end_s, step.robot, step.picks, team);
+      if (step.places !== null) this.lay(end_s, step.robot, step.places, team);
+    }
+  }
+
+  private hang(time_s: number, robot: string, piece: string, team: Team): void {
+    this.pose(time_s, team, null);
+    const tip = team.tipOf(robot);
+    const pose = this.siteOf(piece, time_s, team);
+    if (pose !== undefined) this.pieceKeys.push({ time_s, piece, robot, pose: tip.invert().multiply(pose) });
+  }
+
+  private lay(time_s: number, robot: string, piece: string, team: Team): void {
+    this.pose(time_s, team, null);
+    const held = this.pieceKeys.filter((key) => key.piece === piece && key.robot === robot).at(-1);
+    if (held !== undefined) this.pieceKeys.push({ time_s, piece, robot: null, pose: poseOf(held, team) });
+  }
+
+  private siteOf(piece: string, time_s: number, team: Team): Matrix4 | undefined {
+    const key = this.pieceKeys.filter((k) => k.piece === piece && k.time_s <= time_s).at(-1);
+    return key === undefined ? this.start.poses.get(piece)?.clone() : poseOf(key, team);
+  }
+}
+
+function poseOf(key: PieceKey, team: Team): Matrix4 {
+  return key.robot === null ? key.pose.clone() : team.tipOf(key.robot).multiply(key.pose);
+}
+
+/** Returns the start of a plan from the scene document alone. */
+export function documentedStart(scene: Scene): StartOfPlan {
+  return {
+    postures: new Map(scene.robots.map((robot) => [robot.id, robot.q_rad])),
+    poses: new Map(scene.components.map((component) => [component.id, matrixOf(component.world_T)])),
+    gripped: new Map(scene.robots.flatMap((robot) => (robot.gripped === null ? [] : [[robot.id, robot.gripped] as const]))),
+  };
+}

@@ -1,0 +1,119 @@
+// Audit and health: tables of what the server says.
+import { useEffect, useState } from "preact/hooks";
+import { ask } from "../state/server";
+import { atTime, inNumbers, inSeconds, say, sayCount, sayWord } from "../words/words";
+
+interface Entry {
+  run: string;
+  n: number;
+  at_ms: number;
+  who: string;
+  role: string;
+  verb: string;
+  code: string;
+  words: string;
+  shown: string[];
+  detail: string;
+}
+
+function useAnswer<T>(path: string): [T | null, string] {
+  const [answer, setAnswer] = useState<T | null>(null);
+  const [trouble, setTrouble] = useState("");
+  useEffect(() => {
+    const load = (): Promise<void> => ask<T>(path).then((found) => (setAnswer(found), setTrouble("")), (error: Error) => setTrouble(error.message));
+    void load();
+    const timer = setInterval(() => void load(), 2000);
+    return () => clearInterval(timer);
+  }, [path]);
+  return [answer, trouble];
+}
+
+export function AuditScreen() {
+  const [answer, trouble] = useAnswer<{ entries: Entry[] }>("/api/audit");
+  return (
+    <div class="sheet scroll" tabIndex={0} role="region" aria-label={say("nav.audit")}>
+      <h1>{say("audit.title")}</h1>
+      {trouble !== "" && <p role="alert">{say("failed", { reason: trouble })}</p>}
+      {answer?.entries.length === 0 && <p>{say("audit.none")}</p>}
+      {answer !== null && answer.entries.length > 0 && (
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">{say("audit.when")}</th>
+              <th scope="col">{say("audit.who")}</th>
+              <th scope="col">{say("audit.what")}</th>
+              <th scope="col">{say("audit.code")}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {answer.entries.map((entry) => (
+              <tr key={`${entry.run} ${entry.n}`}>
+                <td>
+                  <time>{atTime(entry.at_ms)}</time>
+                </td>
+                <td>
+                  {entry.who} <span class="soft">{entry.role}</span>
+                </td>
+                <td>
+                  {entry.words} {entry.detail !== "" && <span class="soft">{entry.detail}</span>}
+                  {(entry.shown ?? []).length > 0 && (
+                    <details>
+                      <summary>{say("audit.seen")}</summary>
+                      <ol class="seen">
+                        {entry.shown.map((line, index) => (
+                          <li key={index}>{line}</li>
+                        ))}
+                      </ol>
+                    </details>
+                  )}
+                </td>
+                <td>
+                  <code>{entry.code}</code>
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+    </div>
+  );
+}
+
+interface Health {
+  server: { version: string; uptime_s: number; clients: number };
+  run: { phase: string; pid: number | null; is_alive: boolean };
+  cell: { state: string; age_ms: number | null };
+  journal: { run: string; n: number; is_whole: boolean };
+  disk_free_bytes: number;
+}
+
+export function HealthScreen() {
+  const [health, trouble] = useAnswer<Health>("/api/health");
+  return (
+    <div class="sheet scroll" tabIndex={0} role="region" aria-label={say("nav.health")}>
+      <h1>{say("health.title")}</h1>
+      {trouble !== "" && <p role="alert">{say("failed", { reason: trouble })}</p>}
+      {health !== null && trouble === "" && (
+        <dl class="health">
+          <Line name={say("health.server")} isGood words={`${health.server.version}, ${say("health.uptime", { seconds: inNumbers(health.server.uptime_s) })}, ${sayCount("health.clients", health.server.clients)}`} />
+          <Line name={say("health.run")} isGood={health.run.is_alive} words={`${sayWord("phase", health.run.phase)}, ${health.run.is_alive ? say("health.alive") : say("health.dead")}`} />
+          <Line name={say("health.cell")} isGood={health.cell.state === "live"} words={health.cell.age_ms === null ? say("link.absent") : `${say("link.live")}, ${inSeconds(health.cell.age_ms / 1000)}`} />
+          <Line name={say("health.journal")} isGood={health.journal.is_whole} words={`${health.journal.run} #${health.journal.n}, ${health.journal.is_whole ? say("health.whole") : say("health.not-whole")}`} />
+          <Line name={say("health.disk")} isGood={health.disk_free_bytes > 1e9} words={`${inNumbers(health.disk_free_bytes / 1e9, 1)} GB`} />
+          <Line name={say("health.page")} isGood words={say("health.frame", { ms: inNumbers(window.__m.cost.js_ms, 1), calls: window.__m.cost.calls })} />
+        </dl>
+      )}
+    </div>
+  );
+}
+
+function Line({ name, words, isGood }: { name: string; words: string; isGood: boolean }) {
+  return (
+    <div class={isGood ? "good" : "bad"}>
+      <dt>{name}</dt>
+      <dd>
+        <span aria-hidden="true">{isGood ? "✓" : "!"}</span> {words}
+      </dd>
+    </div>
+  );
+}

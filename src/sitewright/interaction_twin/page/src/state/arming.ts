@@ -1,0 +1,54 @@
+// When Approve may be pressed: not while the plan under the finger is another one than was read.
+import { computed, effect, signal } from "@preact/signals";
+import { say } from "../words/words";
+import { isSending } from "./decisions";
+import { isReachable, may, proposal, run, seenSteps, session } from "./store";
+
+const REST_MS = 1000;
+
+const restsUntil = signal(0);
+const clock = signal(0);
+const differencesShown = signal("");
+
+/** Starts a second of rest whenever the code on the screen changes. */
+export function watchCode(now: () => number): void {
+  let shown: string | null = null;
+  effect(() => {
+    const code = proposal.value?.code ?? null;
+    if (code === shown) return;
+    shown = code;
+    restsUntil.value = now() + REST_MS;
+    clock.value = now();
+    setTimeout(() => {
+      clock.value = now();
+    }, REST_MS + 10);
+  });
+}
+
+/** Says that the differences of a plan were on the screen. */
+export function noteDifferencesShown(fingerprint: string): void {
+  differencesShown.value = fingerprint;
+}
+
+/** Why a plan cannot be approved right now, in words; empty if it can. */
+export const whyNotApprove = computed<string>(() => {
+  const plan = proposal.value;
+  if (!isReachable.value) return say("link.lost");
+  if (plan === null || run.value?.phase !== "waiting") return say("plan.none.other");
+  if (!may("approve")) return say("role.lacks", { role: session.value?.role ?? "" });
+  if (isSending.value) return say("wait.busy");
+  if (clock.value < restsUntil.value) return say("wait.changed");
+  if (hasDifferences(plan.changed) && differencesShown.value !== plan.fingerprint) return say("wait.differences");
+  return "";
+});
+
+export function hasDifferences(changed: { lines: string[] } | null): boolean {
+  return changed !== null && changed.lines.length > 0;
+}
+
+/** Returns the first step up to `until` that demands a look and has had none. */
+export function unseen(until: number): number | null {
+  const plan = proposal.value;
+  const flagged = plan?.steps.filter((s) => s.is_flagged && !s.is_done && s.number <= until) ?? [];
+  return flagged.find((s) => !seenSteps.value.has(s.number))?.number ?? null;
+}
