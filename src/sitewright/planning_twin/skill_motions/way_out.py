@@ -5,7 +5,6 @@ from __future__ import annotations
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose, scale
 from sitewright.planning_twin.approach import (
-    CONTACT_M,
     NEIGHBOUR_M,
     Approach,
     Touch,
@@ -64,12 +63,11 @@ def _contacts_now(stage: Stage, robot: RobotId) -> dict[Pair, float]:
 
     It is looked for in the scene, because a robot can stand anywhere after an interruption.
     """
-    allowed, held = may_touch(stage, robot), stage.site.arms[robot].held
+    held = stage.site.arms[robot].held
     pairs = stage.context.backends.collision.violations(
         scene_of(stage.site), robot, stage.q_rad(robot), {}
     )
-    return {
-        pair: CONTACT_M if held is None or held in pair else NEIGHBOUR_M
-        for pair in pairs
-        if allowed(pair)
-    }
+    near_m = may_touch(stage, robot).thresholds_m(pairs)
+    if held is None:
+        return near_m
+    return {pair: tau_m if held in pair else NEIGHBOUR_M for pair, tau_m in near_m.items()}
