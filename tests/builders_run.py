@@ -23,6 +23,7 @@ from sitewright.central_controller.ports import (
     ProposalOutcome,
     Question,
     Scope,
+    Settled,
     SiteContext,
     StillClear,
 )
@@ -446,9 +447,10 @@ class Person:
             return self.script.pop(0)(request)
         return Approve(fingerprint=request.fingerprint, who="tester", scope=self.scope)
 
-    def answer(self, question: Question) -> Answer | None:
+    def answer(self, question: Question) -> Settled | None:
         self.questions.append(question)
-        return self.look(question)
+        found = self.look(question)
+        return None if found is None else Settled(answer=found)
 
 
 @dataclass

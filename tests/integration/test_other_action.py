@@ -17,7 +17,6 @@ from sitewright.central_controller.events import (
     SkillOutcome,
 )
 from sitewright.central_controller.ports import (
-    Answer,
     ApprovalAnswer,
     ApprovalRequest,
     Approve,
@@ -26,6 +25,7 @@ from sitewright.central_controller.ports import (
     Question,
     Scope,
     ScopeKind,
+    Settled,
 )
 from sitewright.robot_team.drivers.mujoco.client import connect
 from sitewright.robot_team.skill import Skill, SkillCall
@@ -53,7 +53,7 @@ class Foreman:
         scope = Scope(ScopeKind.STEP, request.next_step)
         return Approve(fingerprint=request.fingerprint, who="foreman", scope=scope)
 
-    def answer(self, question: Question) -> Answer | None:
+    def answer(self, question: Question) -> Settled | None:
         raise AssertionError(question.text)
 
     def _other(self, request: ApprovalRequest) -> SkillCall | None:

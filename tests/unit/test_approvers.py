@@ -150,5 +150,6 @@ def test_why_it_is_asked_anew_is_said() -> None:
 )
 def test_a_question_is_settled_or_left_open(typed: str, answer: Answer | None) -> None:
     typist = Typist(typed)
-    assert approver(typist).answer(QUESTION) is answer
+    settled = approver(typist).answer(QUESTION)
+    assert (None if settled is None else settled.answer) is answer
     assert QUESTION.text in typist.text

@@ -36,6 +36,8 @@ COMMANDS = {
     "plan",
     "show",
     "run",
+    "serve",
+    "user",
     "resolve",
     "report",
     "audit",
@@ -53,6 +55,8 @@ HEAVY = {
     "pinocchio",
     "subprocess",
     "asyncio",
+    "starlette",
+    "uvicorn",
 }
 
 

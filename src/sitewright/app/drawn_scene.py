@@ -14,6 +14,7 @@ from sitewright.building_model.inference.bodies import Part, part_of
 from sitewright.building_model.shapes import UnsupportedGeometryError, shape_of
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.pose import Pose
+from sitewright.foundation.shapes import Shape
 
 SCHEMA = "sitewright.scene/1"
 _LOOK_BY_LAYER: Mapping[Layer, Look] = {
@@ -103,9 +104,13 @@ class _Artist:
     def _surface(self, component: Component) -> Surface:
         key = (component.geometry, component.cuts)
         if key not in self._surfaces:
-            parts = [part_of(p, Pose()) for p in shape_of(component)]
-            self._surfaces[key] = joined([_surface_of(p) for p in parts])
+            self._surfaces[key] = surface_of(shape_of(component))
         return self._surfaces[key]
+
+
+def surface_of(shape: Shape) -> Surface:
+    """Return the faces of all convex pieces of a shape, in its body's frame."""
+    return joined([_surface_of(part_of(piece, Pose())) for piece in shape])
 
 
 def _surface_of(part: Part) -> Surface:

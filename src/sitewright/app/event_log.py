@@ -32,10 +32,12 @@ class EventLog:
                 t_utc_ns=self._clock.utc_ns(),
                 t_mono_ns=self._clock.monotonic_ns(),
                 boot_id=self._boot,
-                actor=str(getattr(event, "who", _CONTROLLER)),
+                actor=str(getattr(event, "who", "") or _CONTROLLER),
                 kind=event.kind,
                 version=event.version,
                 body=event_to_json(event),
             )
         )
-        return Stamped(at_utc_ns=record.t_utc_ns, event=event_of(self._folder, record))
+        return Stamped(
+            at_utc_ns=record.t_utc_ns, event=event_of(self._folder, record), number=record.seq
+        )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
@@ -19,17 +20,40 @@ from sitewright.app.run_folder import chain_of, installation_key
 from sitewright.app.runner import RunPorts
 from sitewright.building_model.component import Layer
 from sitewright.building_model.model import BuildingModel
+from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import AnyEvent
-from sitewright.central_controller.ports import Answer, Approver, Question
+from sitewright.central_controller.ports import Answer, Approver, Hold, Question
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.protection import protection_problems
 from sitewright.central_controller.site_state import site_of
 from sitewright.errors import ModelRejectedError
 from sitewright.foundation.canonical import Json
+from sitewright.interaction_twin.report.content import Stamped
 from sitewright.robot_team.driver import CellDriver
 from sitewright.robot_team.piece import Piece
 
 OnEvent = Callable[[AnyEvent], None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Watch:
+    """How somebody outside follows a run and steers it beside the approvals.
+
+    Attributes:
+        on_record: Gets the run's id and each record once it is on the disk.
+        on_connect: Gets the cell's driver whenever it is opened.
+        hold_asked: The hold that somebody wants, if any.
+        who: Who began it at a page, for the journal.
+        decision: What the journal keeps of that.
+    """
+
+    on_record: Callable[[str, Stamped], None] = field(default=lambda _run, _record: None)
+    on_connect: Callable[[CellDriver], None] = field(default=lambda _: None)
+    hold_asked: Callable[[], Hold | None] = field(default=lambda: None)
+    who: str = ""
+    decision: DecisionRecord | None = None
+
+
 _UNDO = "Undo that in building.json, or begin on an empty site: run --from-design."
 
 
@@ -39,6 +63,7 @@ def run_command(
     *,
     on_event: OnEvent | None = None,
     from_design: bool = False,
+    watch: Watch | None = None,
 ) -> RunResult:
     """Run a project in simulation until it stops: complete, held, refused or in question.
 
@@ -47,6 +72,7 @@ def run_command(
         approver: Who is asked before anything moves.
         on_event: Called with each recorded event, for progress.
         from_design: Start on an empty site instead of going on.
+        watch: Who follows and steers it from outside.
 
     Raises:
         ModelRejectedError: The design changed what stands already.
@@ -57,20 +83,28 @@ def run_command(
         require_standing(project)
     keep_design(project.folder)
     proposals = proposals_of(project)
-    clock = SystemClock()
+    clock, seen = SystemClock(), watch or Watch()
+
+    def connect(home: Path) -> CellDriver:
+        driver = simulated_cell(project, proposals, home)
+        seen.on_connect(driver)
+        return driver
+
     ports = RunPorts(
         planner=proposals,
         check=proposals,
         approver=approver,
-        connect=partial(simulated_cell, project, proposals),
+        connect=connect,
         clock=clock,
         ids=UuidSource(clock),
-        key=installation_key(_state_home()),
+        key=installation_key(state_home()),
         write_as_built=partial(write_as_built, project.model),
         final_figures=cell_figures,
         end_cell=end_cell,
         pause=time.sleep,
         on_event=on_event or (lambda _event: None),
+        on_record=seen.on_record,
+        hold_asked=seen.hold_asked,
     )
     options = RunOptions(
         project=project.model.name or project.folder.name,
@@ -80,6 +114,8 @@ def run_command(
         pieces=frozenset(proposals.shapes),
         cell_lock=project.folder / "runs" / "cell.lock",
         from_design=from_design,
+        who=seen.who,
+        decision=seen.decision,
     )
     return run_project(ports, options)
 
@@ -169,7 +205,7 @@ def require_targets(project: Project) -> None:
         )
 
 
-def _state_home() -> Path:
+def state_home() -> Path:
     """Return the folder of this installation's own state (XDG base directories)."""
     import os
 

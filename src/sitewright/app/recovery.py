@@ -161,6 +161,16 @@ def raise_question(run: Run) -> Iterator[AnyEvent]:
 
 def ask_person(run: Run, question: Question) -> Iterator[AnyEvent]:
     """Ask whoever is there; without an answer the question stays open and the run stops."""
-    answer = run.ports.approver.answer(question)
-    if answer is not None:
-        yield QuestionAnswered(question_id=question.question_id, answer=answer, who="operator")
+    settled = run.ports.approver.answer(question)
+    if settled is not None:
+        yield QuestionAnswered(
+            question_id=question.question_id,
+            answer=settled.answer,
+            who=settled.who,
+            decision=settled.decision,
+        )
+
+
+def held_before_start(run: Run) -> Iterator[AnyEvent]:
+    """Let go of a skill that is written down but not told to the cell: somebody wants a hold."""
+    yield from _not_done(run, flight_of(run).intent, "held before the cell was told")

@@ -24,6 +24,7 @@ from sitewright.app.runner import Run, RunPorts, run_to_stop
 from sitewright.app.runner_commands import perform
 from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
+from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import (
     AnyEvent,
     QuestionAnswered,
@@ -52,6 +53,8 @@ class RunOptions:
         pieces: Stock of the design; None if it is not known.
         cell_lock: Lock file of the cell; two runs must not command the same robots.
         from_design: Start on an empty site instead of continuing the newest run.
+        who: Who asked for it at a page.
+        decision: What the journal keeps of that.
     """
 
     project: str
@@ -61,6 +64,8 @@ class RunOptions:
     cell_lock: Path
     pieces: frozenset[ComponentId] | None = None
     from_design: bool = False
+    who: str = ""
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -104,7 +109,13 @@ def run_project(ports: RunPorts, options: RunOptions) -> RunResult:
             folder = next_run_folder(options.runs)
             start = _start(options, folder, newest, head)
             return _go_on(ports, folder, state, [start, *news], chain=chain)
-        return _go_on(ports, newest, state, [RunResumed(), *news], chain=chain)
+        return _go_on(
+            ports,
+            newest,
+            state,
+            [RunResumed(who=options.who, decision=options.decision), *news],
+            chain=chain,
+        )
 
 
 def resolve(  # noqa: PLR0913 -- one line of the command line
@@ -164,6 +175,8 @@ def _start(
         hashes=options.hashes,
         previous_run=previous.run if previous is not None else "",
         previous_head=head,
+        who=options.who,
+        decision=options.decision,
     )
 
 

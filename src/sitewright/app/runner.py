@@ -26,6 +26,7 @@ from sitewright.central_controller.events import (
 )
 from sitewright.central_controller.ports import (
     Approver,
+    Hold,
     ProposalSource,
     SiteContext,
     StartCheck,
@@ -35,6 +36,7 @@ from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.clock import Clock
 from sitewright.foundation.ids import IdSource
+from sitewright.interaction_twin.report.content import Stamped
 from sitewright.robot_team.driver import CellDriver, Observation
 
 
@@ -50,6 +52,8 @@ class RunPorts:
             when each target was installed.
         final_figures: What the cell tells at the end of a run, for the report.
         on_event: Progress for people.
+        on_record: Called with the run's id and each record once it is on the disk.
+        hold_asked: What to hold for, if somebody asked to; looked at before each command.
         end_cell: Ends the cell when the run is over; by default it lives on.
         pause: Waits some seconds between two looks at the ledger.
         min_free_bytes: With less space on the disk no skill is started.
@@ -66,6 +70,8 @@ class RunPorts:
     final_figures: Callable[[CellDriver], Mapping[str, Json]]
     pause: Callable[[float], None]
     on_event: Callable[[AnyEvent], None] = field(default=lambda _: None)
+    on_record: Callable[[str, Stamped], None] = field(default=lambda _run, _record: None)
+    hold_asked: Callable[[], Hold | None] = field(default=lambda: None)
     end_cell: Callable[[CellDriver], None] = field(default=lambda _: None)
     min_free_bytes: int = 500_000_000
 
@@ -105,6 +111,7 @@ class Run:
         stored = stamped.event
         self.state = folded(self.state, stored)
         self.ports.on_event(stored)
+        self.ports.on_record(self.folder.run, stamped)
         if isinstance(stored, ComponentInstalled):
             self._installed_at[stored.target] = iso_time(stamped.at_utc_ns)
             self.write_as_built()

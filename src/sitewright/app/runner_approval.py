@@ -26,7 +26,7 @@ from sitewright.central_controller.ports import (
 )
 from sitewright.central_controller.site_state import Rejection
 
-_APPROVAL = 7
+HELD_BY_PERSON = 7
 
 
 def ask_approval(run: Run, step: int) -> Iterator[AnyEvent]:
@@ -38,11 +38,22 @@ def ask_approval(run: Run, step: int) -> Iterator[AnyEvent]:
             yield from _approved(run, request, answer)
         case Reject():
             yield from _rejected(request, answer)
-        case DoInstead(who=who, call=call):
-            yield AlternativeChosen(who=who, fingerprint=request.fingerprint, call=call)
-        case Hold(who=who, reason=reason):
-            text = f"{who} holds the run." if not reason else f"{who} holds the run: {reason}"
-            yield RunHeld(reason=text, exit_code=_APPROVAL)
+        case DoInstead(who=who, call=call, decision=decision):
+            yield AlternativeChosen(
+                who=who, fingerprint=request.fingerprint, call=call, decision=decision
+            )
+        case Hold():
+            yield held_by(answer)
+
+
+def held_by(hold: Hold) -> RunHeld:
+    """Return the event by which a run stands because somebody wants it to."""
+    return RunHeld(
+        reason=f"{hold.who} holds the run{f': {hold.reason}' if hold.reason else '.'}",
+        exit_code=HELD_BY_PERSON,
+        who=hold.who,
+        decision=hold.decision,
+    )
 
 
 def _request(run: Run, step: int) -> ApprovalRequest:
@@ -79,7 +90,7 @@ def _approved(run: Run, request: ApprovalRequest, answer: Approve) -> Iterator[A
             step=request.next_step,
             reason=problem,
         )
-        yield RunHeld(reason=problem, exit_code=_APPROVAL)
+        yield RunHeld(reason=problem, exit_code=HELD_BY_PERSON)
         return
     approval = Approval(
         approval_id=approval_id,
@@ -91,7 +102,7 @@ def _approved(run: Run, request: ApprovalRequest, answer: Approve) -> Iterator[A
         nonce=run.ports.ids.new(),
         comment=answer.comment,
     )
-    yield ApprovalGiven(approval=sealed(approval, run.ports.key))
+    yield ApprovalGiven(approval=sealed(approval, run.ports.key), decision=answer.decision)
 
 
 def _rejected(request: ApprovalRequest, answer: Reject) -> Iterator[AnyEvent]:
@@ -108,11 +119,12 @@ def _rejected(request: ApprovalRequest, answer: Reject) -> Iterator[AnyEvent]:
             step=answer.step,
             calls=tuple(calls),
         ),
+        decision=answer.decision,
     )
     if answer.reason == "later":
         yield TargetRefused(
             target=proposal.target,
             reason=f"{answer.who} put it off: {answer.detail}".rstrip(": "),
             is_proven=False,
-            exit_code=_APPROVAL,
+            exit_code=HELD_BY_PERSON,
         )

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sitewright.app.recovery import ask_person, raise_question, reconcile, reissue
+from sitewright.app.recovery import (
+    ask_person,
+    held_before_start,
+    raise_question,
+    reconcile,
+    reissue,
+)
 from sitewright.app.runner import Run
-from sitewright.app.runner_approval import ask_approval
+from sitewright.app.runner_approval import ask_approval, held_by
 from sitewright.app.runner_planning import finished, plan_next, plan_single
 from sitewright.app.runner_steps import execute, sense, start_step
 from sitewright.central_controller.commands import (
@@ -36,8 +42,17 @@ from sitewright.central_controller.events import (
 def perform(  # noqa: C901, PLR0912, PLR0915 -- one line per command
     run: Run, command: Command
 ) -> Iterator[AnyEvent]:
-    """Do one command and return what happened; the caller records each event at once."""
+    """Do one command and return what happened; the caller records each event at once.
+
+    Somebody who wants the run held comes first, unless a skill is under way: that one is stopped
+    by the cell itself and ends before.
+    """
+    hold = run.ports.hold_asked()
     match command:
+        case Execute() if hold is not None:
+            yield from held_before_start(run)
+        case _ if hold is not None and run.state.flight is None:
+            yield held_by(hold)
         case Connect():
             yield EpochOpened(epoch=run.connect().new_epoch())
         case PlanNext(exclude=exclude):

@@ -8,6 +8,7 @@ from typing import ClassVar, get_args
 
 from sitewright.central_controller.approval import Approval
 from sitewright.central_controller.codec import DecodeError, from_json, to_json
+from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.ports import Answer, Question, RefusalNote
 from sitewright.central_controller.site_state import Rejection
 from sitewright.foundation.canonical import Json
@@ -33,15 +34,18 @@ class RunStarted:
     Attributes:
         previous_head: Hash of the previous run's last event, as hex.
         hashes: SHA-256 of model, cell, domain ..., and the software version.
+        who: Who asked for it at a page; empty if it was the command line.
     """
 
     kind: ClassVar[str] = "run_started"
-    version: ClassVar[int] = 1
+    version: ClassVar[int] = 2
     run: RunId
     project: str
     hashes: Mapping[str, str]
     previous_run: str = ""
     previous_head: str = ""
+    who: str = ""
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,7 +53,9 @@ class RunResumed:
     """The command was given again for an open run; a started skill is uncertain from here."""
 
     kind: ClassVar[str] = "run_resumed"
-    version: ClassVar[int] = 1
+    version: ClassVar[int] = 2
+    who: str = ""
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -214,8 +220,9 @@ class ApprovalGiven:
     """A person or policy approved a scope of the open proposal."""
 
     kind: ClassVar[str] = "approval_given"
-    version: ClassVar[int] = 1
+    version: ClassVar[int] = 2
     approval: Approval
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -235,9 +242,10 @@ class ApprovalRejected:
     """A person said no to the open proposal."""
 
     kind: ClassVar[str] = "approval_rejected"
-    version: ClassVar[int] = 1
+    version: ClassVar[int] = 2
     who: str
     rejection: Rejection
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -245,10 +253,11 @@ class AlternativeChosen:
     """A person chose another feasible action instead of the next step."""
 
     kind: ClassVar[str] = "alternative_chosen"
-    version: ClassVar[int] = 1
+    version: ClassVar[int] = 2
     who: str
     fingerprint: str
     call: SkillCall
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -411,10 +420,11 @@ class QuestionAnswered:
     """A person settled an unknown outcome."""
 
     kind: ClassVar[str] = "question_answered"
-    version: ClassVar[int] = 1
+    version: ClassVar[int] = 2
     question_id: str
     answer: Answer
     who: str
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -422,9 +432,11 @@ class RunHeld:
     """The run stops here but stays open; the next `run` goes on."""
 
     kind: ClassVar[str] = "run_held"
-    version: ClassVar[int] = 1
+    version: ClassVar[int] = 2
     reason: str
     exit_code: int
+    who: str = ""
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

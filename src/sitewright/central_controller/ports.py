@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Protocol
 
+from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId, RunId
@@ -259,6 +260,7 @@ class Approve:
     who: str
     scope: Scope = Scope()
     comment: str = ""
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -269,6 +271,7 @@ class Reject:
     reason: str
     detail: str = ""
     step: int = 0
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -277,6 +280,7 @@ class DoInstead:
 
     who: str
     call: SkillCall
+    decision: DecisionRecord | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -285,6 +289,7 @@ class Hold:
 
     who: str
     reason: str = ""
+    decision: DecisionRecord | None = None
 
 
 ApprovalAnswer = Approve | Reject | DoInstead | Hold
@@ -316,6 +321,15 @@ class Question:
     text: str
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settled:
+    """A person's answer to a question."""
+
+    answer: Answer
+    who: str = "operator"
+    decision: DecisionRecord | None = None
+
+
 class Approver(Protocol):
     """Who says yes or no."""
 
@@ -323,6 +337,6 @@ class Approver(Protocol):
         """Show a proposal and return the answer; blocks until there is one."""
         ...
 
-    def answer(self, question: Question) -> Answer | None:
+    def answer(self, question: Question) -> Settled | None:
         """Ask about an unknown outcome; None if nobody is there to say (``auto`` never knows)."""
         ...

@@ -18,6 +18,7 @@ from sitewright.cli.layout_command import layout
 from sitewright.cli.plan_commands import graph, plan, show
 from sitewright.cli.project_commands import new
 from sitewright.cli.run_commands import demo, report, resolve, run
+from sitewright.cli.serve_command import serve, user
 from sitewright.cli.system_commands import doctor, version
 
 
@@ -45,6 +46,8 @@ for _command in (
     plan,
     show,
     run,
+    serve,
+    user,
     resolve,
     report,
     audit,

@@ -19,6 +19,7 @@ from sitewright.central_controller.ports import (
     Reject,
     Scope,
     ScopeKind,
+    Settled,
 )
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import in_millimetres, in_seconds
@@ -76,7 +77,7 @@ class AutoApprover:
         """Approve all steps."""
         return Approve(fingerprint=request.fingerprint, who=self.who)
 
-    def answer(self, question: Question) -> Answer | None:
+    def answer(self, question: Question) -> Settled | None:
         """Return None: a policy cannot know what happened."""
         del question
         return None
@@ -105,13 +106,14 @@ class TerminalApprover:
             return self._ask_plan(request)
         return self._ask_step(request)
 
-    def answer(self, question: Question) -> Answer | None:
+    def answer(self, question: Question) -> Settled | None:
         """Ask what became of a skill; None leaves the question open."""
         self.terminal.say("")
         self.terminal.say(question.text)
         choices = {"d": Answer.DONE, "n": Answer.NOT_DONE, "p": Answer.PARTIAL, "l": None}
         key = self._choose("[d]one, [n]ot done, [p]artly done, [l]eave it open: ", choices)
-        return choices[key] if key else None
+        found = choices[key] if key else None
+        return None if found is None else Settled(answer=found)
 
     def _show(self, request: ApprovalRequest) -> None:
         view = proposal_view(request, self.labels)

@@ -79,6 +79,14 @@ class Trajectory:
 
     def sha256(self) -> str:
         """Hash of robot, shape and knots in microseconds and microradians."""
+        return hashlib.sha256(self.content()).hexdigest()
+
+    def content(self) -> bytes:
+        """Return what is hashed: ``robot/KxJ/``, then K rows of 1 + 4 J little-endian int64.
+
+        A row holds the time of a knot (us) and the J positions, velocities, accelerations and
+        jerks there, each times 1e6.
+        """
         numbers = array("q")
         for time_s, *rows in zip(
             self.times_s,
@@ -92,7 +100,7 @@ class Trajectory:
             for row in rows:
                 numbers.extend(round(x * _MICRO) for x in row)
         shape = f"{self.robot}/{len(self.times_s)}x{len(self.positions_rad[0])}/".encode()
-        return hashlib.sha256(shape + _little_endian(numbers)).hexdigest()
+        return shape + _little_endian(numbers)
 
 
 def _little_endian(numbers: array[int]) -> bytes:

@@ -13,10 +13,11 @@ from sitewright.robot_team.skill import SkillCall
 
 @dataclass(frozen=True, slots=True)
 class Stamped:
-    """An event with the wall clock of its record."""
+    """An event with wall clock and number of its record; 0 if the number is not known."""
 
     at_utc_ns: int
     event: AnyEvent
+    number: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

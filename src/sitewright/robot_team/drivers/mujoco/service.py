@@ -24,11 +24,15 @@ from sitewright.robot_team.drivers.mujoco.codec import (
     setup_to_json,
 )
 from sitewright.robot_team.drivers.mujoco.faults import drop_when_due, nudge_when_due
+from sitewright.robot_team.drivers.mujoco.live import LiveView, picture_of
 from sitewright.robot_team.drivers.mujoco.observing import observe
 from sitewright.robot_team.drivers.mujoco.opening import open_simulation
-from sitewright.robot_team.drivers.mujoco.simulation import Effect
+from sitewright.robot_team.drivers.mujoco.simulation import Effect, Simulation
 from sitewright.robot_team.drivers.mujoco.skills import registry
 from sitewright.robot_team.skill import SkillCommand
+
+_LOOK_S = 0.2
+"""While a skill runs and time stands still (physics is being rebuilt), ask again so often."""
 
 
 def setup_hash(setup: Setup) -> str:
@@ -54,7 +58,8 @@ class CellService:
         self._sim = open_simulation(
             setup, None if last is None else checkpoint_from_json(last), self._record
         )
-        self._sim.on_step = drop_when_due
+        self._live = LiveView()
+        self._sim.on_step = self._after_step
         if last is None:
             self._append("opened", {})
         self._operations: Mapping[str, Callable[[Plain], Plain]] = {
@@ -64,6 +69,7 @@ class CellService:
             "status": self._status,
             "execute": self._execute,
             "hold": self._hold,
+            "live": self._see,
             "extra": self._extra,
         }
 
@@ -103,6 +109,22 @@ class CellService:
     def _hold(self, _: Plain) -> Plain:
         self._sim.hold.set()
         return None
+
+    def _after_step(self, sim: Simulation) -> None:
+        drop_when_due(sim)
+        self._live.look(sim)
+
+    def _see(self, _: Plain) -> Plain:
+        """Return where everything is, without waiting for the end of a skill."""
+        while True:
+            if self._lock.acquire(blocking=False):
+                try:
+                    return picture_of(self._sim)
+                finally:
+                    self._lock.release()
+            picture = self._live.wait(_LOOK_S)
+            if picture is not None:
+                return picture
 
     def _extra(self, _: Plain) -> Plain:
         return {

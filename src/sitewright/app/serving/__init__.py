@@ -1,0 +1,1 @@
+"""The page's server and the process of its run, put together."""

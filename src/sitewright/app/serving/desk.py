@@ -1,0 +1,355 @@
+"""The desk: where a run waits for people, and where the first valid decision wins.
+
+The run's own thread waits here (`ask`, `answer`, `wait_to_go`); decisions come in from another
+thread and are judged at once, so that a "no" is quick also while the run plans or moves. A "yes"
+is told only when the journal has its event on the disk.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from threading import Condition
+
+from sitewright.app.serving.memory import Memory, decision_of
+from sitewright.central_controller.decision import DecisionRecord
+from sitewright.central_controller.ports import (
+    Alternative,
+    ApprovalAnswer,
+    ApprovalRequest,
+    Approve,
+    DoInstead,
+    Hold,
+    Question,
+    Reject,
+    ScopeKind,
+    Settled,
+)
+from sitewright.errors import JournalError, SitewrightError
+from sitewright.foundation.canonical import Json
+from sitewright.interaction_twin.decisions import (
+    Reply,
+    Signed,
+    key_reused,
+    no_run,
+    not_asked,
+    not_recorded,
+    refusal,
+    stale,
+)
+from sitewright.interaction_twin.report.content import Stamped
+from sitewright.interaction_twin.roles import Verb
+
+Respond = Callable[[Reply], None]
+"""Sends the answer to the one who decided."""
+_SERVER = "the page's server"
+
+
+@dataclass
+class _Taken:
+    """The decision that was taken and is not on the disk yet, with all who wait for that."""
+
+    signed: Signed
+    respond: list[Respond] = field(default_factory=list)
+
+
+@dataclass
+class _Errand:
+    """Somebody wants to know the other ways of the open proposal."""
+
+    fingerprint: str
+    respond: Respond
+
+
+class Desk:
+    """Port `Approver` for people at a page."""
+
+    def __init__(self, memory: Memory) -> None:
+        self._memory = memory
+        self._changed = Condition()
+        self._request: ApprovalRequest | None = None
+        self._question: Question | None = None
+        self._waits_to_go = False
+        self._taken: _Taken | None = None
+        self._hold: Hold | None = None
+        self._errands: list[_Errand] = []
+        self._ways: tuple[Alternative, ...] | None = None
+        self._has_quit = False
+
+    # ---- the run's thread ------------------------------------------------------------------
+
+    def ask(self, request: ApprovalRequest) -> ApprovalAnswer:
+        """Wait for a decision about a proposal; blocks until there is one."""
+        with self._changed:
+            self._request, self._ways = request, None
+        try:
+            while True:
+                taken, errand, hold = self._next()
+                if hold is not None:
+                    return hold
+                if errand is not None:
+                    errand.respond(self._other_ways(errand.fingerprint, request))
+                elif taken is not None and (answer := self._answer_of(taken, request)) is not None:
+                    return answer
+        finally:
+            with self._changed:
+                self._request = None
+                self._refuse_errands()
+
+    def answer(self, question: Question) -> Settled | None:
+        """Wait for what a person says about an unknown outcome; None if the run is to stop."""
+        with self._changed:
+            self._question = question
+            self._changed.wait_for(lambda: self._taken is not None or self._hold is not None)
+            self._question = None
+            taken = self._taken
+        if taken is None or taken.signed.decision.answer is None:
+            return None
+        return Settled(
+            answer=taken.signed.decision.answer,
+            who=taken.signed.person.who,
+            decision=taken.signed.record(),
+        )
+
+    def wait_to_go(self) -> Signed | None:
+        """Wait until somebody wants the run to go on; None if the server is gone."""
+        with self._changed:
+            self._waits_to_go, self._hold = True, None
+            self._changed.wait_for(lambda: self._taken is not None or self._has_quit)
+            self._waits_to_go = False
+            return None if self._taken is None else self._taken.signed
+
+    def hold_asked(self) -> Hold | None:
+        """Return the hold that somebody asked for and that is not in the journal yet."""
+        return self._hold
+
+    def on_record(self, run: str, stamped: Stamped) -> None:
+        """Note an event that is on the disk; whoever waited for it is told."""
+        with self._changed:
+            self._memory.note(run, stamped)
+            record = decision_of(stamped.event)
+            if stamped.event.kind == "run_held":
+                self._hold = None
+            taken = self._taken
+            if taken is None or record is None or record.key != taken.signed.decision.key:
+                return
+            self._taken = None
+        reply = Reply(status=200, body=self._memory.first_answer(record.key))
+        for respond in taken.respond:
+            respond(reply)
+
+    def run_ended(self, error: BaseException | None, message: str) -> None:
+        """Tell those who still wait that the run stopped before their decision was recorded."""
+        with self._changed:
+            taken, self._taken = self._taken, None
+            self._hold = None
+        if taken is None:
+            return
+        reply = not_asked(message)
+        if isinstance(error, JournalError):
+            reply = not_recorded(str(error))
+        elif error is not None:
+            reply = no_run(f"The run broke off: {error}")
+        for respond in taken.respond:
+            respond(reply)
+
+    # ---- the thread that listens -------------------------------------------------------------
+
+    def decide(self, signed: Signed, respond: Respond) -> None:
+        """Judge a decision; a "no" is told at once, a "yes" when it is recorded."""
+        with self._changed:
+            reply = self._judged(signed, respond)
+            self._changed.notify_all()
+        if reply is not None:
+            respond(reply)
+
+    def hold(self, signed: Signed) -> Reply:
+        """Ask for a hold; it is recorded when the robots are at rest."""
+        with self._changed:
+            if self._waits_to_go:
+                return not_asked("The run stands already.")
+            if self._hold is None:
+                self._hold = Hold(
+                    who=signed.person.who,
+                    reason=signed.decision.reason,
+                    decision=signed.record(),
+                )
+            self._changed.notify_all()
+        return Reply(status=200, body={"ok": True})
+
+    def other_ways(self, fingerprint: str, respond: Respond) -> None:
+        """Ask what else could be done instead of the next step of the open proposal."""
+        with self._changed:
+            if self._request is None:
+                respond(not_asked("No plan waits for a decision now."))
+                return
+            self._errands.append(_Errand(fingerprint, respond))
+            self._changed.notify_all()
+
+    def quit(self) -> None:
+        """The server is gone: hold, and go home."""
+        with self._changed:
+            self._has_quit = True
+            self._hold = self._hold or Hold(who=_SERVER, reason="it ended or was lost")
+            self._changed.notify_all()
+
+    @property
+    def has_quit(self) -> bool:
+        """Whether the server is gone."""
+        return self._has_quit
+
+    # ---- judging ---------------------------------------------------------------------------
+
+    def _judged(self, signed: Signed, respond: Respond) -> Reply | None:
+        """Return the refusal or the first answer again; None if the decision was taken."""
+        decision = signed.decision
+        if known := self._memory.body_of(decision.key):
+            if known != signed.body_sha256:
+                return key_reused()
+            first = self._memory.first_answer(decision.key)
+            return Reply(status=200, body={**first, "repeated": True})
+        if self._taken is not None and self._taken.signed.decision.key == decision.key:
+            if self._taken.signed.body_sha256 != signed.body_sha256:
+                return key_reused()
+            self._taken.respond.append(respond)
+            return None
+        reply = self._not_acceptable(signed)
+        if reply is None:
+            self._taken = _Taken(signed, [respond])
+        return reply
+
+    def _not_acceptable(self, signed: Signed) -> Reply | None:
+        match signed.decision.verb:
+            case Verb.RESUME:
+                free = self._waits_to_go and self._taken is None
+                return None if free else not_asked("The run is under way already.")
+            case Verb.ANSWER:
+                return self._about_question(signed)
+            case _:
+                return self._about_proposal(signed)
+
+    def _about_question(self, signed: Signed) -> Reply | None:
+        question, taken = self._question, self._taken
+        if taken is not None and taken.signed.decision.question_id == signed.decision.question_id:
+            return self._memory.decided_first(taken.signed)
+        if question is None or question.question_id != signed.decision.question_id:
+            return not_asked("This question is not open any more.")
+        return None
+
+    def _about_proposal(self, signed: Signed) -> Reply | None:
+        decision, request = signed.decision, self._request
+        taken = self._taken
+        if taken is not None and taken.signed.decision.fingerprint == decision.fingerprint:
+            return self._memory.decided_first(taken.signed)
+        if request is None or decision.fingerprint != request.fingerprint:
+            open_ = "" if request is None else request.fingerprint
+            return self._memory.too_late(decision.fingerprint, open_)
+        if decision.next_step not in (0, request.next_step):
+            return self._memory.too_late(decision.fingerprint, "")
+        return _scope_problem(signed, request)
+
+    # ---- answers ---------------------------------------------------------------------------
+
+    def _next(self) -> tuple[_Taken | None, _Errand | None, Hold | None]:
+        with self._changed:
+            self._changed.wait_for(lambda: self._taken or self._errands or self._hold)
+            errand = self._errands.pop(0) if self._errands and self._taken is None else None
+            return self._taken, errand, None if self._taken else self._hold
+
+    def _answer_of(self, taken: _Taken, request: ApprovalRequest) -> ApprovalAnswer | None:
+        decision, who, record = (
+            taken.signed.decision,
+            taken.signed.person.who,
+            taken.signed.record(),
+        )
+        match decision.verb:
+            case Verb.APPROVE:
+                return Approve(
+                    fingerprint=decision.fingerprint,
+                    who=who,
+                    scope=decision.scope,
+                    comment=decision.comment,
+                    decision=record,
+                )
+            case Verb.REJECT:
+                return Reject(
+                    who=who,
+                    reason=decision.reason,
+                    detail=decision.detail,
+                    step=decision.step,
+                    decision=record,
+                )
+            case Verb.NEW_MOTION:
+                return Reject(
+                    who=who,
+                    reason="path-unsafe",
+                    detail=decision.detail,
+                    step=decision.step,
+                    decision=record,
+                )
+            case _:
+                return self._instead(taken, request, record)
+
+    def _instead(
+        self, taken: _Taken, request: ApprovalRequest, record: DecisionRecord
+    ) -> DoInstead | None:
+        call = taken.signed.decision.call
+        ways = [] if request.is_single else self._computed(request)
+        if call is not None and any(w.call == call and not w.leads_nowhere for w in ways):
+            return DoInstead(who=taken.signed.person.who, call=call, decision=record)
+        with self._changed:
+            self._taken = None
+        reply = refusal(409, "not-feasible", "This action is not possible now; look again.")
+        for respond in taken.respond:
+            respond(reply)
+        return None
+
+    def _other_ways(self, fingerprint: str, request: ApprovalRequest) -> Reply:
+        if fingerprint != request.fingerprint:
+            return stale(fingerprint, request.fingerprint, "")
+        try:
+            ways = [] if request.is_single else self._computed(request)
+        except SitewrightError as error:
+            return no_run(f"The other ways could not be worked out: {error}")
+        return Reply(status=200, body={"step": request.next_step, "ways": [_way(w) for w in ways]})
+
+    def _computed(self, request: ApprovalRequest) -> list[Alternative]:
+        if self._ways is None:
+            self._ways = request.alternatives()
+        step = request.proposal.steps[request.next_step - 1]
+        return [w for w in self._ways if w.call != step.call]
+
+    def _refuse_errands(self) -> None:
+        errands, self._errands = self._errands, []
+        for errand in errands:
+            errand.respond(not_asked("No plan waits for a decision any more."))
+
+
+def _scope_problem(signed: Signed, request: ApprovalRequest) -> Reply | None:
+    decision, last = signed.decision, len(request.proposal.steps)
+    about = decision.scope.step if decision.verb is Verb.APPROVE else decision.step
+    if not 0 <= about <= last:
+        return refusal(422, "fields", f"The plan has steps 1 to {last}; there is no step {about}.")
+    if decision.verb is Verb.APPROVE and not decision.scope.covers(request.next_step):
+        what = "step" if decision.scope.kind is ScopeKind.STEP else "part"
+        return refusal(
+            409,
+            "decided",
+            f"That {what} of the plan is done or decided; step {request.next_step} is next.",
+            next_step=request.next_step,
+        )
+    return None
+
+
+def _way(way: Alternative) -> Json:
+    return {
+        "call": {
+            "skill": way.call.skill,
+            "robot": way.call.robot,
+            "arguments": list(way.call.arguments),
+        },
+        "duration_s": way.duration_s,
+        "price_s": way.price_s,
+        "is_feasible": not way.leads_nowhere,
+        "note": way.note,
+    }

@@ -1,0 +1,89 @@
+"""The run of a project as the worker runs it: opened anew each time, watched at some speed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from sitewright.app.execution import Watch, require_targets, run_command
+from sitewright.app.project import Project, open_project
+from sitewright.app.reporting import write_report
+from sitewright.app.run import RunResult
+from sitewright.app.serving.channel import Channel
+from sitewright.app.serving.history import Numbered, history_of
+from sitewright.app.serving.memory import Memory
+from sitewright.app.serving.worker import Hooks, Worker
+from sitewright.central_controller.cycle import folded
+from sitewright.central_controller.cycle_state import CycleState
+from sitewright.central_controller.site_state import SiteState, site_of
+
+
+def worker_of(
+    channel: Channel,
+    folder: Path,
+    *,
+    cell: Path | None = None,
+    speed: float = 1.0,
+    from_design: bool = False,
+) -> Worker:
+    """Return the worker of a project.
+
+    Args:
+        channel: The pipe to the server.
+        folder: The project.
+        cell: Another cell file.
+        speed: Of the simulated cell; 1 is real time, 0 as fast as it can.
+        from_design: Begin the first run on an empty site.
+
+    Raises:
+        SitewrightError: The project cannot be opened, or has nothing to build.
+    """
+    project = open_project(folder, cell=cell)
+    require_targets(project)
+    history = history_of(project.folder / "runs")
+    memory = Memory()
+    for record in history:
+        memory.note(record.run, record.stamped)
+    anew = [from_design]
+
+    def run_once(hooks: Hooks) -> RunResult:
+        opened = _at_speed(open_project(folder, cell=cell), speed)
+        begun_by = hooks.begun_by
+        result = run_command(
+            opened,
+            hooks.desk,
+            from_design=anew[0],
+            watch=Watch(
+                on_record=hooks.on_record,
+                on_connect=hooks.on_connect,
+                hold_asked=hooks.desk.hold_asked,
+                who=begun_by.person.who if begun_by else "",
+                decision=begun_by.record() if begun_by else None,
+            ),
+        )
+        anew[0] = False
+        write_report(opened, result.run)
+        return result
+
+    begins = from_design or begins_itself(history, site_of(project.model))
+    return Worker(channel=channel, memory=memory, run_once=run_once, begins_itself=begins)
+
+
+def begins_itself(history: Sequence[Numbered], design: SiteState) -> bool:
+    """Tell whether a run may go on without being told: nothing would move by itself.
+
+    What was approved, or is under way, waits for a person at the page; so does what was held.
+    """
+    state = CycleState(site=design)
+    for record in history:
+        state = folded(state, record.stamped.event)
+    is_pending = state.approval is not None or state.flight is not None
+    is_over = state.finished is not None or state.held is not None
+    return not (is_pending or is_over or state.question is not None)
+
+
+def _at_speed(project: Project, speed: float) -> Project:
+    """Return the project with a simulated cell that runs at some speed."""
+    settings = {**project.cell.simulation, "real_time_factor": speed}
+    return replace(project, cell=replace(project.cell, simulation=settings))

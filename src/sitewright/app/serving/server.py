@@ -1,0 +1,166 @@
+"""`sitewright serve`: one port on this machine, the twin behind it, and the link to open it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+from collections.abc import AsyncIterator, Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import uvicorn
+from starlette.applications import Starlette
+from starlette.types import ASGIApp
+from typing_extensions import override
+
+from sitewright.app.clock import SystemClock
+from sitewright.app.execution import state_home
+from sitewright.app.run_folder import installation_key
+from sitewright.app.serving.project_twin import ProjectTwin
+from sitewright.app.serving.run_process import RunLink, RunProcess
+from sitewright.app.serving.users import read_users
+from sitewright.errors import BackendError
+from sitewright.interaction_twin.web.hub import Hub
+from sitewright.interaction_twin.web.sessions import Sessions
+from sitewright.interaction_twin.web.site import application
+
+LOOPBACK = "127.0.0.1"
+_MOST_FRAME_BYTES = 256_000
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ServeOptions:
+    """What is served, and how.
+
+    Attributes:
+        port: 0 takes a free one.
+        speed: Of the simulated cell; 1 is real time, 0 as fast as it can.
+        from_design: Begin on an empty site.
+        users: File with the users who have tokens of their own; None is the one local user.
+    """
+
+    folder: Path
+    cell: Path | None = None
+    port: int = 8765
+    speed: float = 1.0
+    from_design: bool = False
+    users: Path | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Address:
+    """Where the page is.
+
+    Attributes:
+        url: With a token that signs in one time.
+    """
+
+    port: int
+    url: str
+
+
+def serve(options: ServeOptions, *, on_ready: Callable[[Address], None]) -> None:
+    """Serve a project until interrupted.
+
+    Args:
+        options: What and how.
+        on_ready: Called once the server listens.
+
+    Raises:
+        BackendError: The port is taken.
+        SitewrightError: The project or the users file cannot be read.
+    """
+    arguments = ["--project", str(options.folder), "--speed", str(options.speed)]
+    arguments += ["--cell", str(options.cell)] if options.cell is not None else []
+    arguments += ["--from-design"] if options.from_design else []
+    asyncio.run(PageServer(options, RunProcess(arguments)).run(on_ready))
+
+
+class PageServer:
+    """One server with its twin; runs on the event loop that it is started on."""
+
+    def __init__(self, options: ServeOptions, link: RunLink) -> None:
+        """Prepare it.
+
+        Args:
+            options: What is served, and how.
+            link: The way to the run; a process, or something else in tests.
+        """
+        self._options, self._link = options, link
+        self._server: uvicorn.Server | None = None
+
+    async def run(self, on_ready: Callable[[Address], None]) -> None:
+        """Serve until interrupted or stopped."""
+        options, clock, hub = self._options, SystemClock(), Hub()
+        users = {} if options.users is None else read_users(options.users)
+        twin = ProjectTwin(options.folder, self._link, hub, clock, cell=options.cell)
+        sessions = Sessions(key=installation_key(state_home()), clock=clock, users=users)
+        with _listening(options.port) as listener:
+            port = int(listener.getsockname()[1])
+            app = application(twin, sessions, hub, port=port, lifespan=_beside(twin))
+            url = f"http://{LOOPBACK}:{port}/#token={sessions.invite()}"
+            self._server = _Server(_config(app), lambda: on_ready(Address(port=port, url=url)))
+            await self._server.serve(sockets=[listener])
+
+    def stop(self) -> None:
+        """End the server soon; safe from any thread."""
+        if self._server is not None:
+            self._server.should_exit = True
+
+
+def _config(app: ASGIApp) -> uvicorn.Config:
+    return uvicorn.Config(
+        app,
+        log_level="warning",
+        ws="websockets-sansio",
+        ws_max_size=_MOST_FRAME_BYTES,
+        server_header=False,
+        date_header=False,
+        timeout_graceful_shutdown=2,
+    )
+
+
+def _beside(
+    twin: ProjectTwin,
+) -> Callable[[Starlette], contextlib.AbstractAsyncContextManager[None]]:
+    @contextlib.asynccontextmanager
+    async def beside(_app: Starlette) -> AsyncIterator[None]:
+        await twin.start()
+        feeding = asyncio.create_task(twin.feed.run())
+        try:
+            yield
+        finally:
+            feeding.cancel()
+            await twin.stop()
+
+    return beside
+
+
+class _Server(uvicorn.Server):
+    """Tells when it listens."""
+
+    def __init__(self, config: uvicorn.Config, on_started: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._on_started = on_started
+
+    @override
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Start, then tell."""
+        await super().startup(sockets)
+        if self.started:
+            self._on_started()
+
+
+def _listening(port: int) -> socket.socket:
+    listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((LOOPBACK, port))
+    except OSError as error:
+        listener.close()
+        raise BackendError(
+            f"Port {port} of this machine is taken ({error.strerror}). "
+            "Give another one with --port, or --port 0 for any free one."
+        ) from error
+    return listener

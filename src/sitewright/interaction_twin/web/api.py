@@ -1,0 +1,212 @@
+"""The handlers of all routes: read what was sent, ask the twin, answer in one form."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+
+from sitewright.foundation.canonical import Json
+from sitewright.interaction_twin.decisions import Decision, Reply, body_hash, refusal
+from sitewright.interaction_twin.roles import NEEDED_ROLE, Person, Role, Verb
+from sitewright.interaction_twin.web.requests import (
+    DecisionBody,
+    HoldBody,
+    Nothing,
+    SignIn,
+    decision_from,
+    hold_from,
+    read_body,
+)
+from sitewright.interaction_twin.web.sessions import SESSION_S, Sessions
+from sitewright.interaction_twin.web.twin import Twin
+
+LANGUAGES = ("en",)
+_FOR_EVER = "private, max-age=31536000, immutable"
+_OPEN = "open"
+
+
+class Api:
+    """Everything under ``/api``; each method answers one route of `ROUTES`."""
+
+    def __init__(self, twin: Twin, sessions: Sessions, *, port: int) -> None:
+        self._twin, self._sessions, self._port = twin, sessions, port
+
+    @property
+    def cookie(self) -> str:
+        """Name of the cookie: SameSite does not tell ports apart, so the name does."""
+        return f"sitewright-{self._port}"
+
+    # ---- who ---------------------------------------------------------------------------------
+
+    def person_behind(self, request: Request) -> Person | None:
+        """Return who sent a request: by cookie, or by a token of his own."""
+        bearer = request.headers.get("authorization", "")
+        if bearer.startswith("Bearer "):
+            return self._sessions.person_of_token(bearer.removeprefix("Bearer "))
+        cookie = request.cookies.get(self.cookie)
+        return None if cookie is None else self._sessions.person_of(cookie)
+
+    async def sign_in(self, request: Request, person: Person | None) -> Response:
+        """Exchange a token for a cookie."""
+        del person
+        body = read_body(SignIn, await request.body())
+        found = self._sessions.sign_in(body.user, body.token)
+        if found is None:
+            message = "This link or token is not valid, or was used before."
+            return answer(refusal(401, "token", message))
+        response = JSONResponse(self._about(found))
+        response.set_cookie(
+            self.cookie,
+            self._sessions.cookie_of(found),
+            max_age=SESSION_S,
+            httponly=True,
+            samesite="strict",
+            path="/",
+        )
+        return response
+
+    async def who_am_i(self, request: Request, person: Person) -> Response:
+        """Tell name, role and what that role may do."""
+        del request
+        return JSONResponse(self._about(person))
+
+    async def sign_out(self, request: Request, person: Person) -> Response:
+        """Take the cookie back."""
+        del request, person
+        response = JSONResponse({"ok": True})
+        response.delete_cookie(self.cookie, path="/", httponly=True, samesite="strict")
+        return response
+
+    async def ticket(self, request: Request, person: Person) -> Response:
+        """Hand out a ticket for one WebSocket."""
+        read_body(Nothing, await request.body())
+        return JSONResponse({"ticket": self._sessions.ticket_for(person), "expires_s": 30})
+
+    def _about(self, person: Person) -> Mapping[str, Any]:
+        verbs = [v.value for v in Verb if person.role.may(NEEDED_ROLE[v])]
+        return {
+            "who": person.who,
+            "role": person.role.value,
+            "can": verbs,
+            "port": self._port,
+            "is_simulation": True,
+            "languages": list(LANGUAGES),
+        }
+
+    # ---- looking -----------------------------------------------------------------------------
+
+    async def state(self, request: Request, person: Person) -> Response:
+        """Tell how the run stands."""
+        del request, person
+        return JSONResponse(self._twin.state())
+
+    async def scene(self, request: Request, person: Person) -> Response:
+        """Return what is drawn, or that nothing changed."""
+        del person
+        digest, text = await self._twin.scene()
+        tag = f'"{digest}"'
+        headers = {"etag": tag, "cache-control": "private, no-cache"}
+        if request.headers.get("if-none-match") == tag:
+            return Response(status_code=304, headers=headers)
+        return Response(text, media_type="application/json", headers=headers)
+
+    async def proposal(self, request: Request, person: Person) -> Response:
+        """Return the open proposal, or one by its fingerprint."""
+        wanted = request.path_params["fingerprint"]
+        found = await self._twin.proposal("" if wanted == _OPEN else wanted, _language(request))
+        if found is None:
+            return answer(unknown("proposal", wanted))
+        allowed = {
+            v.value: True if person.role.may(NEEDED_ROLE[v]) else _only(NEEDED_ROLE[v])
+            for v in Verb
+        }
+        return JSONResponse({**found, "decisions_allowed": allowed})
+
+    async def ways(self, request: Request, person: Person) -> Response:
+        """Return what else could be done now."""
+        del person
+        return answer(await self._twin.ways(request.path_params["fingerprint"], _language(request)))
+
+    async def blob(self, request: Request, person: Person) -> Response:
+        """Return the exact bytes of a trajectory."""
+        del person
+        wanted = request.path_params["sha256"]
+        found = await self._twin.blob(wanted)
+        if found is None:
+            return answer(unknown("trajectory", wanted))
+        headers = {"cache-control": _FOR_EVER}
+        return Response(found, media_type="application/octet-stream", headers=headers)
+
+    async def runs(self, request: Request, person: Person) -> Response:
+        """Return all runs."""
+        del request, person
+        return JSONResponse(await self._twin.runs())
+
+    async def run(self, request: Request, person: Person) -> Response:
+        """Return one run with its events."""
+        del person
+        wanted = request.path_params["run"]
+        found = await self._twin.run(wanted)
+        return answer(unknown("run", wanted)) if found is None else JSONResponse(found)
+
+    async def graph(self, request: Request, person: Person) -> Response:
+        """Return the construction relationship graph."""
+        del request, person
+        return JSONResponse(await self._twin.graph())
+
+    async def audit(self, request: Request, person: Person) -> Response:
+        """Return who decided what, when, and what was seen."""
+        del request, person
+        return JSONResponse(self._twin.audit())
+
+    async def health(self, request: Request, person: Person) -> Response:
+        """Return how everything is."""
+        del request, person
+        return JSONResponse(await self._twin.health())
+
+    # ---- deciding ----------------------------------------------------------------------------
+
+    async def decide(self, request: Request, person: Person) -> Response:
+        """Pass a decision to the run; the answer is 200 only when it is on the disk."""
+        raw = await request.body()
+        decision = decision_from(read_body(DecisionBody, raw))
+        if not person.role.may(needed := NEEDED_ROLE[decision.verb]):
+            return answer(_not_your_role(decision, needed))
+        return answer(await self._twin.decide(decision, person, _hash(raw, person)))
+
+    async def hold(self, request: Request, person: Person) -> Response:
+        """Stop the robots."""
+        raw = await request.body()
+        decision = hold_from(read_body(HoldBody, raw))
+        return answer(await self._twin.hold(decision, person, _hash(raw, person)))
+
+
+def answer(reply: Reply) -> Response:
+    """Return a reply as a response."""
+    return JSONResponse(reply.body, reply.status)
+
+
+def unknown(what: str, name: str) -> Reply:
+    """Return that something is not there."""
+    return refusal(404, "unknown", f"There is no {what} {name!r}.")
+
+
+def _not_your_role(decision: Decision, needed: Role) -> Reply:
+    return refusal(403, "role", _only(needed), verb=decision.verb.value, needs=needed.value)
+
+
+def _only(needed: Role) -> str:
+    return f"Only a person with the role {needed.value} (or higher) may do this."
+
+
+def _hash(raw: bytes, person: Person) -> str:
+    content: Mapping[str, Json] = json.loads(raw)
+    return body_hash(content, person.who)
+
+
+def _language(request: Request) -> str:
+    return request.query_params.get("lang", LANGUAGES[0])

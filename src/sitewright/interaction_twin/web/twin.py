@@ -1,0 +1,92 @@
+"""What the server needs of the world behind it: a port, filled in by `app`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Protocol
+
+from sitewright.foundation.canonical import Json
+from sitewright.interaction_twin.decisions import Decision, Reply
+from sitewright.interaction_twin.roles import Person
+
+Document = Mapping[str, Json]
+
+
+class Twin(Protocol):
+    """The read side of a project, and the way to the process of its run.
+
+    Reads that may take longer are coroutines; none of them blocks the event loop.
+    """
+
+    def state(self) -> Document:
+        """Return how the run stands now (the WebSocket's ``state``)."""
+        ...
+
+    async def scene(self) -> tuple[str, bytes]:
+        """Return hash and text of everything that is drawn."""
+        ...
+
+    async def proposal(self, fingerprint: str, language: str) -> Document | None:
+        """Return a proposal; the open one if `fingerprint` is empty."""
+        ...
+
+    async def blob(self, sha256: str) -> bytes | None:
+        """Return the exact bytes of a trajectory of any proposal of the runs."""
+        ...
+
+    async def decide(self, decision: Decision, person: Person, body_sha256: str) -> Reply:
+        """Pass a decision on; a "yes" comes when it is on the disk."""
+        ...
+
+    async def hold(self, decision: Decision, person: Person, body_sha256: str) -> Reply:
+        """Stop the robots: the cell first, the journal after."""
+        ...
+
+    async def ways(self, fingerprint: str, language: str) -> Reply:
+        """Return what else could be done instead of the next step."""
+        ...
+
+    def events_after(self, run: str, number: int) -> list[Document]:
+        """Return the events after one, in order, as the WebSocket sends them."""
+        ...
+
+    def last_event(self) -> tuple[str, int]:
+        """Return run and number of the newest event."""
+        ...
+
+    async def runs(self) -> Document:
+        """Return all runs of the project."""
+        ...
+
+    async def run(self, run: str) -> Document | None:
+        """Return one run with its events and bars."""
+        ...
+
+    async def graph(self) -> Document:
+        """Return the construction relationship graph now."""
+        ...
+
+    def audit(self) -> Document:
+        """Return all decisions, the newest first."""
+        ...
+
+    async def health(self) -> Document:
+        """Return how server, run, cell and journal are."""
+        ...
+
+
+class Audience(Protocol):
+    """Where news goes: to all pages."""
+
+    def tell(self, news: Document) -> None:
+        """Send a text that nobody may miss."""
+        ...
+
+    def show(self, frame: bytes) -> None:
+        """Send a picture of the joints; whoever is slow gets the newest only."""
+        ...
+
+    @property
+    def size(self) -> int:
+        """How many pages are connected."""
+        ...

@@ -1,0 +1,96 @@
+"""What pages hear: every event once and in order, also those missed while the server was gone."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from websockets.sync.client import ClientConnection, connect
+
+from builders_serving import Served, approval, wait_for, waiting
+from sitewright.app.serving.history import history_of
+
+
+@pytest.fixture(autouse=True)
+def state_home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+
+
+@contextmanager
+def listening(served: Served, page: httpx.Client, after: object) -> Iterator[ClientConnection]:
+    with connect(
+        f"ws://127.0.0.1:{served.address.port}/ws",
+        additional_headers={"origin": served.origin},
+        close_timeout=2,
+    ) as link:
+        ticket = page.post("/api/ws-ticket", json={}).json()["ticket"]
+        link.send(json.dumps({"ticket": ticket, "after": after}))
+        yield link
+
+
+def heard_until(link: ClientConnection, kind: str) -> list[dict[str, Any]]:
+    """Return all texts up to the first of a kind of event or message."""
+    found: list[dict[str, Any]] = []
+    while not found or kind not in {found[-1]["type"], found[-1].get("kind")}:
+        message = link.recv(20)
+        if isinstance(message, str):
+            found.append(json.loads(message))
+    return found
+
+
+def numbers(messages: list[dict[str, Any]]) -> list[tuple[str, int]]:
+    return [(m["run"], m["n"]) for m in messages if m["type"] == "event"]
+
+
+def test_events_come_in_order_and_missed_ones_after_the_server_was_gone(tmp_path: Path) -> None:
+    folder = tmp_path / "project"
+    with Served(folder) as served:
+        page = served.local()
+        proposal = waiting(page)
+        with listening(served, page, {"run": "", "n": 0}) as link:
+            page.post("/api/decisions", json=approval(proposal))
+            first = heard_until(link, "component_installed")
+        cookies = dict(page.cookies)
+        wait_for(page, lambda s: s["phase"] == "waiting")
+    last = numbers(first)[-1]
+    with Served(folder) as served:
+        page = served.guest()
+        (value,) = cookies.values()
+        page.cookies.set(f"sitewright-{served.address.port}", value)
+        assert page.get("/api/session").status_code == 200  # still signed in
+        with listening(served, page, {"run": last[0], "n": last[1]}) as link:
+            missed = heard_until(link, "caught-up")
+    told = [*numbers(first), *numbers(missed)]
+    written = [(r.run, r.stamped.number) for r in history_of(folder / "runs")]
+    assert told == written[: len(told)]
+    assert len(set(told)) == len(told)
+    assert "run_held" in {m.get("kind") for m in missed}
+
+
+def test_a_page_that_asks_for_nothing_old_hears_only_what_comes(tmp_path: Path) -> None:
+    with Served(tmp_path / "project") as served:
+        page = served.local()
+        proposal = waiting(page)
+        with listening(served, page, None) as link:
+            opening = heard_until(link, "state")
+            assert numbers(opening) == []
+            assert opening[-1]["open"]["code"] == proposal["code"]
+            page.post("/api/decisions", json=approval(proposal))
+            assert numbers(heard_until(link, "approval_given"))[0][1] == opening[0]["n"] + 1
+
+
+def test_frames_are_a_header_and_numbers() -> None:
+    from sitewright.foundation.pose import Pose
+    from sitewright.interaction_twin.web.frames import joints_frame, poses_frame
+
+    frame = joints_frame([0.5, -1.25], epoch=65_537, sequence=7, t_ms=1.5)
+    assert struct.unpack("<BBHId2f", frame) == (1, 1, 1, 7, 1.5, 0.5, -1.25)
+    frame = poses_frame([(3, Pose((1.0, 2.0, 3.0)))], epoch=2, sequence=8, t_ms=2.5)
+    assert len(frame) == 16 + 32
+    assert struct.unpack("<BBHIdHH7f", frame)[5:] == (3, 0, 1, 2, 3, 1, 0, 0, 0)
