@@ -7,10 +7,11 @@ from itertools import pairwise
 
 import pytest
 
+from builders_building import component as any_component
 from builders_frame import beam, frame, portal
 from sitewright.building_model.component import Component, Layer, Origin, PlaneCut
 from sitewright.building_model.inference.assembly import INSERTION, infer_assembly
-from sitewright.building_model.inference.stock import piece_id
+from sitewright.building_model.inference.stock import piece_id, piece_name
 from sitewright.building_model.matching import material_type_of
 from sitewright.building_model.model import BuildingModel, RelationKind
 from sitewright.building_model.shapes import shape_of
@@ -211,3 +212,11 @@ def test_equal_pieces_may_be_swapped_without_burying_what_is_wanted_earlier() ->
         for k, below in enumerate(kinds):
             others = [above for above in kinds[k + 1 :] if above != below]
             assert all(max(wanted[above]) < min(wanted[below]) for above in others)
+
+
+def test_long_ids_give_pieces_of_their_own_and_names_fit_a_file() -> None:
+    ids = [ComponentId("x" * 63 + end) for end in "ab"]
+    pieces = {piece_id(i) for i in ids}
+    assert len(pieces) == 2
+    assert all(len(p) <= 64 for p in pieces)
+    assert len(piece_name(any_component("a", name="n" * 256))) == 256

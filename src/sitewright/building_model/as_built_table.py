@@ -37,8 +37,13 @@ COLUMNS = (
 )
 
 
+_FORMULA = ("=", "+", "-", "@")
+
+
 def as_built_csv(model: BuildingModel, world_T_model: Pose) -> str:
     """Return one line per component of the building; stock and zones are left out.
+
+    Names, types and source ids that a spreadsheet would take for a formula begin with ``'``.
 
     Args:
         model: The model with as-built records folded in.
@@ -61,8 +66,8 @@ def _row(component: Component, world_T_model: Pose) -> Mapping[str, object]:
     done = sum(s == "done" for s in record.operations.values()) if record else 0
     return {
         "id": component.id,
-        "name": component.name,
-        "type": component.type,
+        "name": _cell(component.name),
+        "type": _cell(component.type),
         "layer": component.layer.value,
         "order": "" if component.order is None else component.order,
         "status": status_of(component),
@@ -77,5 +82,10 @@ def _row(component: Component, world_T_model: Pose) -> Mapping[str, object]:
         **dict(
             zip(("qw", "qx", "qy", "qz"), (f"{v:.7f}" for v in pose.quaternion_wxyz), strict=True)
         ),
-        "source_id": component.source.id if component.source else "",
+        "source_id": _cell(component.source.id) if component.source else "",
     }
+
+
+def _cell(text: str) -> str:
+    """Return a text that no spreadsheet calculates."""
+    return f"'{text}" if text.startswith(_FORMULA) else text

@@ -13,6 +13,7 @@ import click
 from sitewright.cli.output import problems_json
 from sitewright.errors import CellRejectedError, ModelRejectedError, SitewrightError
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.plain_text import json_text, one_line, printable
 
 INTERNAL, USAGE, INTERRUPTED = 1, 2, 130
 SCHEMA = "sitewright.error/1"
@@ -29,11 +30,12 @@ def failed(error: BaseException, arguments: Sequence[str]) -> int:
     if "--debug" in arguments:
         traceback.print_exception(error, file=sys.stderr)
     if "--json" in arguments:
-        click.echo(json.dumps(_document(error, code, message), indent=2, ensure_ascii=False))
+        document = _document(error, code, message)
+        click.echo(json_text(json.dumps(document, indent=2, ensure_ascii=False)))
     if isinstance(error, click.UsageError):
         error.show()
     elif message:
-        click.secho(f"error: {message}", err=True, fg="red")
+        click.secho(f"error: {printable(message)}", err=True, fg="red")
     if code == INTERNAL and "--debug" not in arguments:
         click.echo("This is a bug in Sitewright; --debug shows where.", err=True)
     return code
@@ -61,7 +63,7 @@ def _rejected(error: ModelRejectedError | CellRejectedError) -> str:
 
     count = len(error.problems)
     lines = (f"\n  {line}" for line in problem_lines(error.problems))
-    return f"{error.file}: {count} problem{'s' if count != 1 else ''}{''.join(lines)}"
+    return f"{one_line(error.file)}: {count} problem{'s' if count != 1 else ''}{''.join(lines)}"
 
 
 def _document(error: BaseException, code: int, message: str) -> dict[str, Json]:

@@ -10,6 +10,7 @@ import click
 
 from sitewright.errors import Problem
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.plain_text import json_text, printable
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,11 +26,11 @@ class Output:
     def line(self, words: str = "") -> None:
         """Print a line of the result for people."""
         if not self.is_json:
-            click.echo(words)
+            click.echo(printable(words))
 
     def note(self, words: str) -> None:
         """Print progress."""
-        click.echo(words, err=True)
+        click.echo(printable(words), err=True)
 
     def notes(self, problems: Sequence[Problem]) -> None:
         """Print problems beside the result; what many components share is said once."""
@@ -42,7 +43,8 @@ class Output:
         """Print the result as JSON, if JSON was asked for."""
         if self.is_json:
             text = {"schema": schema, **content}
-            click.echo(json.dumps(text, indent=2, ensure_ascii=False, allow_nan=False))
+            document = json.dumps(text, indent=2, ensure_ascii=False, allow_nan=False)
+            click.echo(json_text(document))
 
 
 def problem_json(problem: Problem) -> dict[str, Json]:

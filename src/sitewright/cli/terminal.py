@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Self
 
 import click
 
+from sitewright.foundation.plain_text import printable
+
 if TYPE_CHECKING:
     from rich.status import Status
 
@@ -43,6 +45,7 @@ class Dialogue:
 
     def say(self, line: str) -> None:
         """Show a line above the spinner."""
+        line = printable(line)
         if self._status is None:
             click.echo(line, err=True)
             return
@@ -55,7 +58,7 @@ class Dialogue:
         """Return what was typed; None at the end of the input."""
         if self._status is not None:
             self._status.stop()
-        click.echo(prompt, err=True, nl=False)
+        click.echo(printable(prompt), err=True, nl=False)
         typed = sys.stdin.readline()
         if self._status is not None:
             self._status.start()

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from sitewright.errors import Problem
+from sitewright.foundation.plain_text import one_line
 
 _FOLDED_FROM = 3
 """So many problems of one kind become one entry."""
@@ -55,8 +56,9 @@ def _entry(group: Sequence[Problem]) -> Iterator[str]:
     rest = f" and {len(wheres) - _NAMED} more" if len(wheres) > _NAMED else ""
     others = len(group) - len(texts[most])
     figures = f" (figures of {first.where}; those of {others} differ)" if others else ""
-    yield f"    {', '.join(wheres[:_NAMED])}{rest}{figures}"
+    yield one_line(f"    {', '.join(wheres[:_NAMED])}{rest}{figures}")
 
 
 def _with_mark(line: str, problem: Problem) -> str:
+    line = one_line(line)
     return f"{line} [--fix]" if problem.is_fixable else line

@@ -184,7 +184,7 @@ def _component(
         cuts=cuts,
         mass_kg=numbers.mass_kg,
         operations=operations,
-        source=Source(file="", kind=kind, id=draft.part.source_id),
+        source=Source(file="", kind=kind, id=word(draft.part.source_id)),
         raw=draft.attributes.rest,
         ext=_wishes(draft),
     )

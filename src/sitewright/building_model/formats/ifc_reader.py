@@ -26,6 +26,7 @@ WRONG_KIND = (AttributeError, TypeError, ValueError, IndexError, ArithmeticError
 def read(path: str) -> dict[str, Any]:
     """Return parts, relations, unit, survey and notes of an IFC file."""
     from sitewright.building_model.formats.ifc_cycles import circles
+    from sitewright.building_model.formats.ifc_pieces import demand_few_bodies
     from sitewright.building_model.formats.ifc_schedule import construction_order
 
     file, notes = open_file(path)
@@ -33,6 +34,7 @@ def read(path: str) -> dict[str, Any]:
         raise UnreadableError("E2", f"{circle}.", "Repair the model and export it again.")
     metres = _metres_per_unit(file)
     elements, left_out = _elements(file)
+    demand_few_bodies(elements)
     order, order_notes = construction_order(file)
     parts = _parts(file, elements, order, metres)
     survey = _survey(file)

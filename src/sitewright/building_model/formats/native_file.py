@@ -18,7 +18,11 @@ _UNIT_TOLERANCE = 1e-3
 
 Id = Annotated[str, Field(pattern=r"^[A-Za-z0-9_$.\-]{1,64}$")]
 Word = Annotated[
-    str, Field(max_length=256, pattern=r"^[^\x00-\x1f\x7f\u202a-\u202e\u2066-\u2069]*$")
+    str,
+    Field(
+        max_length=256,
+        pattern=r"^[^\x00-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2066-\u2069\ufeff]*$",
+    ),
 ]
 Coordinate = Annotated[float, Field(ge=-1e7, le=1e7)]
 Length = Annotated[float, Field(gt=0, le=1e4)]

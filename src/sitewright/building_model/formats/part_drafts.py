@@ -20,6 +20,7 @@ WARNINGS = frozenset({"G1", "G5", "G7", "T1", "U2", "O1", "F1", "S1"})
 """Codes that a reader's own remarks carry without refusing the file."""
 _ONE_PIECE = ("block", "instance")
 _SHOWN = 3
+_KEPT = 240
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -153,7 +154,7 @@ def _split(draft: Draft) -> list[Draft]:
             named=Named(
                 id=usable_id(f"{draft.named.id}.{number}"),
                 source_id=f"{draft.named.source_id}.{number}",
-                name=f"{draft.named.name} {number}".strip(),
+                name=f"{draft.named.name[:_KEPT]} {number}".strip(),
             ),
             pieces=(piece,),
         )

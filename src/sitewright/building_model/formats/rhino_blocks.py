@@ -34,28 +34,44 @@ def pieces_of(model: Any, thing: Any) -> list[Placed]:  # noqa: ANN401 - untyped
     Raises:
         BadBlockError: A block holds itself, is linked or missing, or there is no end to it.
     """
-    pieces: list[Placed] = []
-    for piece in _expanded(model, thing, lambda p: p, ()):
-        pieces.append(piece)
-        if len(pieces) > _MAX_PIECES:
-            message = f"its block puts more than {_MAX_PIECES} objects into the world."
-            raise BadBlockError("G6", message, "Nest blocks less.")
-    return pieces
+    if objects_in(model, thing, {}) > _MAX_PIECES:
+        message = f"its block puts more than {_MAX_PIECES} objects into the world."
+        raise BadBlockError("G6", message, "Nest blocks less.")
+    return list(_expanded(model, thing, lambda p: p))
 
 
-def _expanded(
+def objects_in(
     model: Any,  # noqa: ANN401
     thing: Any,  # noqa: ANN401
-    place: Callable[[Vector], Vector],
-    above: tuple[str, ...],
-) -> Iterator[Placed]:
+    known: dict[str, int],
+    above: tuple[str, ...] = (),
+) -> int:
+    """Return how many objects it stands for, itself included; blocks in blocks multiply.
+
+    Args:
+        model: The opened file.
+        thing: One of its objects.
+        known: Counts of blocks that were met; it grows.
+        above: Blocks that hold it.
+
+    Raises:
+        BadBlockError: As for `pieces_of`.
+    """
     import rhino3dm
 
-    reference = thing.Geometry
-    if not isinstance(reference, rhino3dm.InstanceReference):
-        yield Placed(thing=thing, place=place)
-        return
-    identity = str(reference.ParentIdefId)
+    if not isinstance(thing.Geometry, rhino3dm.InstanceReference):
+        return 1
+    identity = str(thing.Geometry.ParentIdefId)
+    if identity not in known:
+        block = _block(model, identity, above)
+        held = (model.Objects.FindId(str(n)) for n in block.GetObjectIds())
+        inner = (*above, identity)
+        known[identity] = 1 + sum(objects_in(model, h, known, inner) for h in held if h is not None)
+    return known[identity]
+
+
+def _block(model: Any, identity: str, above: tuple[str, ...]) -> Any:  # noqa: ANN401
+    """Return the definition of a block that is held by others."""
     block = model.InstanceDefinitions.FindId(identity)
     if block is None:
         raise BadBlockError("G6", "its block definition is missing.", "In Rhino: purge, insert it.")
@@ -64,11 +80,25 @@ def _expanded(
     if not block.GetObjectIds():
         message = f"block {block.Name!r} is empty here (linked to another file?)."
         raise BadBlockError("G7", message, "In Rhino: embed the block, save again.")
+    return block
+
+
+def _expanded(
+    model: Any,  # noqa: ANN401
+    thing: Any,  # noqa: ANN401
+    place: Callable[[Vector], Vector],
+) -> Iterator[Placed]:
+    import rhino3dm
+
+    reference = thing.Geometry
+    if not isinstance(reference, rhino3dm.InstanceReference):
+        yield Placed(thing=thing, place=place)
+        return
     inner = _after(place, _map(reference.Xform))
-    for number in block.GetObjectIds():
+    for number in model.InstanceDefinitions.FindId(str(reference.ParentIdefId)).GetObjectIds():
         held = model.Objects.FindId(str(number))
         if held is not None:
-            yield from _expanded(model, held, inner, (*above, identity))
+            yield from _expanded(model, held, inner)
 
 
 def _after(

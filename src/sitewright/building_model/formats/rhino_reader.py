@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 from sitewright.building_model.formats.unreadable import UnreadableError
 
 _MAX_PARTS = 50_000
+_MAX_OBJECTS = 200_000
 _MAX_FACES = 20_000_000
 _SOLIDS = ("Extrusion", "Brep", "Mesh")
 _MADE_BY_RHINO = "$"
@@ -40,7 +42,9 @@ def read(path: str) -> dict[str, Any]:
     """Return unit, parts and notes of a .3dm file."""
     model = open_file(path)
     left_out: Counter[str] = Counter()
+    _demand_few_objects(model)
     parts: list[dict[str, Any]] = []
+    faces = 0
     for thing in model.Objects:
         if not _is_in_the_world(thing):
             continue
@@ -48,10 +52,10 @@ def read(path: str) -> dict[str, Any]:
         if kind not in (*_SOLIDS, "InstanceReference"):
             left_out[kind] += 1
             continue
-        parts.append(_part(model, thing))
-        _demand_bounds(parts)
-    if any(len(s.get("faces", ())) > _MAX_FACES for p in parts for s in p["solids"]):
-        raise UnreadableError("E2", "it holds too many faces.", "Export a part of it.")
+        part = _part(model, thing)
+        parts.append(part)
+        faces += sum(len(s.get("faces", ())) for s in part["solids"])
+        _demand_bounds(len(parts), faces)
     return {
         "unit": model.Settings.ModelUnitSystem.name,
         "parts": parts,
@@ -67,9 +71,25 @@ def _is_in_the_world(thing: Any) -> bool:  # noqa: ANN401
     return not (attributes.IsInstanceDefinitionObject or is_on_paper)
 
 
-def _demand_bounds(parts: list[dict[str, Any]]) -> None:
-    if len(parts) > _MAX_PARTS:
-        raise UnreadableError("E2", f"more than {_MAX_PARTS} objects.", "Export a part of it.")
+def _demand_bounds(parts: int, faces: int) -> None:
+    for count, most, what in ((parts, _MAX_PARTS, "objects"), (faces, _MAX_FACES, "faces in all")):
+        if count > most:
+            raise UnreadableError("E2", f"it holds more than {most} {what}.", "Export a part.")
+
+
+def _demand_few_objects(model: Any) -> None:  # noqa: ANN401
+    """Refuse a file whose few blocks would become more solids than any building has."""
+    from sitewright.building_model.formats.rhino_blocks import BadBlockError, objects_in
+
+    known: dict[str, int] = {}
+    total = 0
+    for thing in model.Objects:
+        if _is_in_the_world(thing):
+            with suppress(BadBlockError):  # told with its part
+                total += objects_in(model, thing, known)
+    if total > _MAX_OBJECTS:
+        message = f"its blocks put {total} objects into the world, more than {_MAX_OBJECTS}."
+        raise UnreadableError("E2", message, "Nest blocks less, or export a part of it.")
 
 
 def _part(model: Any, thing: Any) -> dict[str, Any]:  # noqa: ANN401

@@ -18,7 +18,9 @@ from sitewright.errors import Problem, did_you_mean
 from sitewright.foundation.canonical import Json
 
 _FORMULA = re.compile(r"%<.*>%", re.DOTALL)
-_UNSEEN = re.compile(r"[\x00-\x1f\x7f\u200b-\u200f\u202a-\u202e\u2066-\u2069\ufeff]")
+_UNSEEN = re.compile(
+    r"[\x00-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2066-\u2069\ufeff\ufff9-\ufffb]"
+)
 _MAX_WORD = 256
 _YES = frozenset({"1", "true", "yes", "y", "x"})
 _NO = frozenset({"", "0", "false", "no", "n"})

@@ -11,10 +11,12 @@ from sitewright.building_model.inference.order import Arrival
 from sitewright.building_model.inference.statics import Statics
 from sitewright.building_model.matching import MaterialType, material_type_of
 from sitewright.building_model.model import Stack
+from sitewright.foundation.canonical import sha256_hex
 from sitewright.foundation.ids import ComponentId, StackId, StockPlaceId
 from sitewright.foundation.pose import Pose, Vector, dot, subtract, translation
 
 _BEARS = 0.6
+_MAX_ID, _MAX_NAME, _DIGEST = 64, 256, 8
 """A piece may lie on one of at least this share of its own length."""
 _IN_THE_MIDDLE_M = 1e-6
 """What is this near to the middle is in it, however its numbers were rounded."""
@@ -88,7 +90,16 @@ def stock_for(
 
 def piece_id(target: ComponentId) -> ComponentId:
     """Return the id of the piece that is meant for a target."""
-    return ComponentId(f"piece.{target}"[:64])
+    name = f"piece.{target}"
+    if len(name) <= _MAX_ID:
+        return ComponentId(name)
+    digest = sha256_hex(target)[:_DIGEST]  # cut ids alone might be alike
+    return ComponentId(f"{name[: _MAX_ID - _DIGEST - 1]}-{digest}")
+
+
+def piece_name(target: Component) -> str:
+    """Return the name of the piece that is made for a target, as long as a file may hold."""
+    return f"piece for {target.name or target.id}"[:_MAX_NAME]
 
 
 def _piles(layout: StockLayout, side: str) -> list[_Pile]:
@@ -148,7 +159,7 @@ def _lay(
         replace(
             target,
             id=piece_id(target.id),
-            name=f"piece for {target.name or target.id}",
+            name=piece_name(target),
             layer=Layer.MATERIAL,
             world_T_component=pile.stock_T_stack @ centre @ turn,
             order=None,

@@ -11,7 +11,7 @@ from sitewright.building_model.component import Component, Layer, Origin
 from sitewright.building_model.findings import warned
 from sitewright.building_model.inference.nesting import nested
 from sitewright.building_model.inference.rules import Rules, StockRule
-from sitewright.building_model.inference.stock import piece_id
+from sitewright.building_model.inference.stock import piece_id, piece_name
 from sitewright.building_model.matching import fits, material_type_of
 from sitewright.building_model.model import BuildingModel, Stack
 from sitewright.building_model.piling import lying_section_m, piled, turn_as_placed
@@ -137,7 +137,7 @@ def _piece(target: Component, board: Mapping[str, Json] | None) -> Component:
     return replace(
         target,
         id=piece_id(target.id),
-        name=f"piece for {target.name or target.id}",
+        name=piece_name(target),
         layer=Layer.MATERIAL,
         order=None,
         construction_parents=(),
