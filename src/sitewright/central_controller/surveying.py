@@ -102,6 +102,7 @@ class Surveyor:
             site=site,
             task=task,
             seed=another_seed(self.seed, target, rejections),
+            kept=self.ports.kept,
         )
         watch.start()
         studied = study(twin, view.lies_at)

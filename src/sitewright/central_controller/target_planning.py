@@ -21,6 +21,7 @@ from sitewright.central_controller.target_outcome import (
 )
 from sitewright.foundation.clock import Clock
 from sitewright.planning_twin.feedback import Lessons
+from sitewright.planning_twin.kept_refusals import KeptRefusals
 from sitewright.planning_twin.motion import PlanningBackends
 from sitewright.planning_twin.refusal import NoPath
 from sitewright.planning_twin.sequence import (
@@ -53,6 +54,7 @@ class PlanningPorts:
 
     Attributes:
         certifying_s: Time that proofs have taken so far.
+        kept: Refusals of earlier calls, for as long as their geometry stays.
     """
 
     domain: Domain
@@ -60,6 +62,7 @@ class PlanningPorts:
     backends: PlanningBackends
     clock: Clock
     certifying_s: Callable[[], float] = field(default=lambda: 0.0)
+    kept: KeptRefusals = field(default_factory=KeptRefusals)
 
 
 def plan_target(

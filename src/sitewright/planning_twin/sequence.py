@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.blockers import owner_of
+from sitewright.planning_twin.call_scope import call_scope
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NotClear
 from sitewright.planning_twin.scene import Pair
@@ -100,7 +101,7 @@ def plan_sequence(
             upcoming=calls[number + 1 :],
             parking=parking,
         )
-        result = SKILL_PLANNERS[calls[number].skill](stage, calls[number])
+        result = _planned(stage, calls[number])
         if isinstance(result, PlannedSkill):
             planned.append(result)
             continue
@@ -119,6 +120,18 @@ def plan_sequence(
             )
         planned = planned[:again]
     return PlannedSequence(calls=calls[:wanted], skills=tuple(planned))
+
+
+def _planned(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
+    """Plan a call, unless it was refused before where everything was the same."""
+    kept, question = stage.context.kept, ("move", call.robot, call.skill, *call.arguments)
+    known = kept.recall(question, lambda _: call_scope(stage, call))
+    if known is not None:
+        return SkillRefusal(call=call, refusal=known)
+    result = SKILL_PLANNERS[call.skill](stage, call)
+    if isinstance(result, SkillRefusal):
+        kept.keep(question, result.refusal, call_scope(stage, call))
+    return result
 
 
 def _context_at(context: TwinContext, site: Jobsite, done: tuple[SkillCall, ...]) -> TwinContext:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.holding import depends_on_start, find_holding, steadying
+from sitewright.planning_twin.holding_scope import holding_scope
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, Refusal
 from sitewright.planning_twin.scope import scope_of
@@ -139,9 +141,17 @@ def _base(
 
 def _holding(context: TwinContext, robot: Robot, piece: ComponentId) -> Holding | Refusal | None:
     """Return a holding, why there is none, or None where none is needed."""
-    if context.task.placed is None:
-        return find_holding(context, robot, piece)
-    return steadying(context, robot, piece)
+    if context.task.placed is not None:
+        return steadying(context, robot, piece)
+    question = ("hold", robot.id, piece, context.task.target)
+    scope = partial(holding_scope, context, robot, piece)
+    known = context.kept.recall(question, scope)
+    if known is not None:
+        return known
+    found = find_holding(context, robot, piece)
+    if not isinstance(found, Holding):
+        context.kept.keep(question, found, scope(found))
+    return found
 
 
 def _if_tacks_agree(

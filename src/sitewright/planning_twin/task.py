@@ -9,6 +9,7 @@ from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import Pose, Vector
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import Jobsite
+from sitewright.planning_twin.kept_refusals import KeptRefusals
 from sitewright.planning_twin.motion import PlanningBackends
 from sitewright.planning_twin.scene import Pair, pair_of
 from sitewright.robot_team.cell import Cell, EndEffector
@@ -65,12 +66,17 @@ class Task:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TwinContext:
-    """The twin's engines, the site as it stands at a moment of the plan, and the task."""
+    """The twin's engines, the site as it stands at a moment of the plan, and the task.
+
+    Attributes:
+        kept: Refusals that were met before.
+    """
 
     backends: PlanningBackends
     site: Jobsite
     task: Task
     seed: int = 0
+    kept: KeptRefusals = field(default_factory=KeptRefusals)
 
     @property
     def cell(self) -> Cell:
