@@ -70,6 +70,7 @@ def serve_page(options: ServeOptions, out: Output, *, opens_browser: bool) -> in
             click.launch(address.url)
 
     serve_project(options, on_ready=on_ready)
+    out.note("The server has ended and nothing moves; `sitewright serve` goes on.")
     return 0
 
 

@@ -67,6 +67,11 @@ class Labels:
         """Return the name that people see."""
         return self.label(site_id).name
 
+    def body(self, body_id: str) -> str:
+        """Return the name of a body of the scene; a link goes by its robot or end effector."""
+        owner, _, link = body_id.partition("/")
+        return self.name(owner if link and owner in self.label_by_id else body_id)
+
     def told(self, text: str) -> str:
         """Return a text of the controller or a planner with every id in it by its name.
 

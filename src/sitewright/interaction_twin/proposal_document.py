@@ -78,7 +78,7 @@ def proposal_document(source: ProposalSource, *, is_open: bool) -> dict[str, Jso
         "duration_s": round(sum(s.duration_s for s in left), 3),
         "closest_distance_m": closest.closest_distance_m if closest else None,
         "closest_pair": list(closest.closest_pair or ()) if closest else [],
-        "closest_names": [labels.name(b) for b in closest.closest_pair or ()] if closest else [],
+        "closest_names": [labels.body(b) for b in closest.closest_pair or ()] if closest else [],
         "before": [
             [a.number, b.number] for a, b in zip(proposal.steps, proposal.steps[1:], strict=False)
         ],
@@ -138,7 +138,7 @@ def _step(source: ProposalSource, index: int, view: StepView) -> dict[str, Json]
         "act_s": round(max(0.0, step.duration_s - moving_s), 3),
         "closest_distance_m": closest.closest_distance_m if closest else None,
         "closest_pair": list(closest.closest_pair or ()) if closest else [],
-        "closest_names": [labels.name(b) for b in closest.closest_pair or ()] if closest else [],
+        "closest_names": [labels.body(b) for b in closest.closest_pair or ()] if closest else [],
         "flags": _flags(source, step),
         "touches": list(step.call.arguments),
         "may_touch": [list(pair) for pair in step.contacts],

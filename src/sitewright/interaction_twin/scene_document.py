@@ -22,6 +22,7 @@ from sitewright.robot_team.description import Description
 from sitewright.robot_team.driver import Observation
 
 SCHEMA = "sitewright.page-scene/1"
+_FOOT_M = 0.001
 Triangles = tuple[Sequence[Vector], Sequence[tuple[int, int, int]]]
 """Corners (m) and triangles, counter-clockwise seen from outside."""
 
@@ -123,14 +124,16 @@ class _Scene:
         return {**parts, "geometries": self._geometries}
 
     def _ground_z_m(self) -> float:
-        floors = [
-            f.world_T_fixture.apply(v)[2]
+        """Return the top of the highest fixture that nothing of a robot's foot is below."""
+        feet_m = min(
+            (r.world_T_base.position_m[2] for r in self.source.cell.robot_by_id.values()),
+            default=0.0,
+        )
+        tops = [
+            max(f.world_T_fixture.apply(v)[2] for part in f.shape for v in part.vertices_m())
             for f in self.source.cell.fixture_by_id.values()
-            for part in f.shape
-            for v in part.vertices_m()
         ]
-        tops = [r.world_T_base.position_m[2] for r in self.source.cell.robot_by_id.values()]
-        return min(0.0, *tops, *(z for z in floors if z < 0.0)) if floors else min(0.0, *tops)
+        return round(max((z for z in tops if z <= feet_m + _FOOT_M), default=feet_m), 6)
 
     # ---- robots ------------------------------------------------------------------------------
 

@@ -64,12 +64,18 @@ class _Errand:
 class Desk:
     """Port `Approver` for people at a page."""
 
-    def __init__(self, memory: Memory) -> None:
+    def __init__(self, memory: Memory, *, waits_to_go: bool = True) -> None:
+        """Open the desk.
+
+        Args:
+            memory: What was decided before.
+            waits_to_go: The run stands until somebody wants it to go on.
+        """
         self._memory = memory
         self._changed = Condition()
         self._request: ApprovalRequest | None = None
         self._question: Question | None = None
-        self._waits_to_go = False
+        self._waits_to_go = waits_to_go
         self._taken: _Taken | None = None
         self._hold: Hold | None = None
         self._errands: list[_Errand] = []
@@ -114,7 +120,6 @@ class Desk:
     def wait_to_go(self) -> Signed | None:
         """Wait until somebody wants the run to go on; None if the server is gone."""
         with self._changed:
-            self._waits_to_go, self._hold = True, None
             self._changed.wait_for(lambda: self._taken is not None or self._has_quit)
             self._waits_to_go = False
             return None if self._taken is None else self._taken.signed
@@ -142,7 +147,7 @@ class Desk:
         """Tell those who still wait that the run stopped before their decision was recorded."""
         with self._changed:
             taken, self._taken = self._taken, None
-            self._hold = None
+            self._waits_to_go, self._hold = True, None
         if taken is None:
             return
         reply = not_asked(message)

@@ -58,6 +58,9 @@ def bars_document(bars: Sequence[Bar], labels: Labels) -> list[Json]:
     return [
         {
             "robot": bar.robot,
+            "step": bar.step,
+            "fingerprint": bar.fingerprint,
+            "skill": bar.call.skill,
             "words": narrate(bar.call, labels),
             "target": bar.target,
             "starts_s": round(bar.starts_s, 3),

@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import shutil
 from collections.abc import Mapping
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 
-from sitewright.app.drawn_scene import surface_of
 from sitewright.app.looking import graph_at
 from sitewright.app.planning import start_of
 from sitewright.app.project import read_project
+from sitewright.app.reporting import REPORT_PAGE
+from sitewright.app.run_folder import run_folders
 from sitewright.app.serving.channel import Message
 from sitewright.app.serving.history import Numbered, history_of
 from sitewright.app.serving.live_feed import LiveFeed
-from sitewright.app.serving.past_runs import run_document, runs_document
+from sitewright.app.serving.past_runs import bars_document
 from sitewright.app.serving.proposal_shelf import ProposalShelf
 from sitewright.app.serving.records import Records
 from sitewright.app.serving.run_process import RunLink
+from sitewright.app.serving.scene_shelf import SceneShelf, triangles
+from sitewright.app.serving.side_work import SideWork, all_runs, one_run, why
 from sitewright.central_controller.codec import to_json
 from sitewright.central_controller.events import (
     AnyEvent,
@@ -38,15 +40,12 @@ from sitewright.central_controller.events import (
     TargetRefused,
     event_from_json,
 )
-from sitewright.central_controller.expectation import pose_of
 from sitewright.central_controller.fingerprint import check_code
 from sitewright.central_controller.proposal import Proposal
 from sitewright.central_controller.site_state import site_of
-from sitewright.foundation.canonical import Json, canonical_json, sha256_hex
+from sitewright.foundation.canonical import Json
 from sitewright.foundation.clock import Clock
 from sitewright.foundation.ids import RobotId
-from sitewright.foundation.pose import Pose
-from sitewright.foundation.shapes import Shape
 from sitewright.interaction_twin.decisions import Decision, Reply, Signed
 from sitewright.interaction_twin.event_document import audit_document, event_document
 from sitewright.interaction_twin.labels import labels_of
@@ -59,12 +58,10 @@ from sitewright.interaction_twin.proposal_document import (
 )
 from sitewright.interaction_twin.proposal_story import story_of
 from sitewright.interaction_twin.report.content import Stamped
+from sitewright.interaction_twin.report.timeline import timeline
 from sitewright.interaction_twin.roles import Person
 from sitewright.interaction_twin.scene_document import (
     SceneSource,
-    Triangles,
-    joint_names,
-    scene_document,
 )
 from sitewright.interaction_twin.state_document import Standing, state_document
 from sitewright.interaction_twin.web.twin import Audience, Document
@@ -103,14 +100,12 @@ class ProjectTwin:
         self._project = read_project(folder, cell=cell)
         self._labels = labels_of(self._project.model, self._project.cell)
         self._records = Records(site_of(self._project.model), history_of(self._runs))
-        self._shelf = ProposalShelf(self._runs)
+        self._shelf, self._side = ProposalShelf(self._runs), SideWork()
         self._standing = Standing(is_active=False)
-        self._epoch = 1
-        self._scene: tuple[str, bytes] | None = None
-        self._scene_lock = asyncio.Lock()
         self._shelf_lock = asyncio.Lock()
         self._started_ns = clock.monotonic_ns()
         self.feed = LiveFeed(audience, clock, folder=self._cell_folder, on_change=self._tell_state)
+        self._scenes = SceneShelf(self.feed)
 
     @property
     def _runs(self) -> Path:
@@ -123,6 +118,7 @@ class ProjectTwin:
     async def stop(self) -> None:
         """Let the run hold and end."""
         await self._link.stop()
+        await asyncio.to_thread(self._side.close)
 
     # ---- hearing -----------------------------------------------------------------------------
 
@@ -149,7 +145,7 @@ class ProjectTwin:
         if event.kind == "run_held":
             self._stand(is_hold_asked=False)
         if self._is_drawn_otherwise(event, before):
-            self._epoch, self._scene = self._epoch + 1, None
+            self._scenes.outdate()
         self._audience.tell(event_document(record.run, stamped, self._labels))
 
     def _hear_of_run(self, message: Message) -> None:
@@ -216,7 +212,7 @@ class ProjectTwin:
             **state_document(self._records.state, standing, self._labels),
             "run": run,
             "n": number,
-            "scene_epoch": self._epoch,
+            "scene_epoch": self._scenes.epoch,
             "cell": "live" if self.feed.is_live else "absent",
         }
 
@@ -232,13 +228,7 @@ class ProjectTwin:
 
     async def scene(self) -> tuple[str, bytes]:
         """Return hash and text of everything that is drawn; worked out once per epoch."""
-        async with self._scene_lock:
-            while self._scene is None:
-                epoch, source = self._epoch, self._scene_source()
-                document = await asyncio.to_thread(scene_document, source)
-                if epoch == self._epoch:
-                    self._keep_scene(document)
-            return self._scene
+        return await self._scenes.get(self._scene_source)
 
     def _scene_source(self) -> SceneSource:
         project, state = self._project, self._records.state
@@ -254,18 +244,9 @@ class ProjectTwin:
             site=state.site,
             observation=start.observation if seen is None else seen,
             labels=self._labels,
-            triangles=_triangles,
+            triangles=triangles,
             active=None if made is None else made.target,
         )
-
-    def _keep_scene(self, document: dict[str, Json]) -> None:
-        digest = sha256_hex(canonical_json({**document, "epoch": self._epoch}))[:32]
-        text = json.dumps({**document, "hash": digest, "epoch": self._epoch}, ensure_ascii=False)
-        self._scene = (digest, text.encode())
-        joints = [f"{owner}:{joint}" for owner, joint in joint_names(self._project.cell)]
-        components = document["components"]
-        assert isinstance(components, list)  # noqa: S101 -- made above
-        self.feed.show_scene(self._epoch, joints, [_placed(c) for c in components])
 
     async def proposal(self, fingerprint: str, language: str) -> Document | None:
         """Return a proposal; the open one if no fingerprint is given."""
@@ -307,11 +288,35 @@ class ProjectTwin:
 
     async def runs(self) -> Document:
         """Return all runs of the project."""
-        return await asyncio.to_thread(runs_document, self._project)
+        return await self._side.do(all_runs, self._folder, self._cell_file)
 
     async def run(self, run: str) -> Document | None:
         """Return one run with its events and bars."""
-        return await asyncio.to_thread(run_document, self._project, run, self._labels)
+        return await self._side.do(one_run, self._folder, self._cell_file, run)
+
+    async def why(self, fingerprint: str, number: int) -> Document | None:
+        """Return why a step of a proposal is as it is."""
+        if await self._find(fingerprint) is None:
+            return None
+        return await self._side.do(why, self._folder, self._cell_file, fingerprint, number)
+
+    async def report(self, run: str) -> bytes | None:
+        """Return the report of a run; None while there is none."""
+        folder = next((f for f in run_folders(self._runs) if f.run == run), None)
+        page = None if folder is None else folder.path / REPORT_PAGE
+        if page is None or not page.exists():
+            return None
+        return await asyncio.to_thread(page.read_bytes)
+
+    async def schedule(self) -> Document:
+        """Return planned and actual skills of the newest run on one time axis."""
+        run, _ = self._records.last
+        bars = timeline(s.event for s in self._records.of_run(run))
+        return {
+            "run": run,
+            "planned": bars_document(bars.planned, self._labels),
+            "actual": bars_document(bars.actual, self._labels),
+        }
 
     async def graph(self) -> Document:
         """Return the construction relationship graph now."""
@@ -424,17 +429,3 @@ class ProjectTwin:
     async def _find(self, fingerprint: str) -> tuple[str, Proposal] | None:
         async with self._shelf_lock:
             return await asyncio.to_thread(self._shelf.find, fingerprint)
-
-
-def _triangles(shape: Shape) -> Triangles:
-    surface = surface_of(shape)
-    return surface.corners_m, surface.triangles
-
-
-def _placed(component: Json) -> tuple[str, Pose]:
-    """Return id and pose of a component of the document; no id if it has no pose."""
-    assert isinstance(component, Mapping)  # noqa: S101 -- made by `scene_document`
-    world_T = component["world_T"]
-    if not isinstance(world_T, Mapping):
-        return "", Pose()
-    return str(component["id"]), pose_of(world_T)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import signal
 import socket
-from collections.abc import AsyncIterator, Callable
+import threading
+from collections.abc import AsyncIterator, Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -100,7 +102,7 @@ class PageServer:
             port = int(listener.getsockname()[1])
             app = application(twin, sessions, hub, port=port, lifespan=_beside(twin))
             url = f"http://{LOOPBACK}:{port}/#token={sessions.invite()}"
-            self._server = _Server(_config(app), lambda: on_ready(Address(port=port, url=url)))
+            self._server = EndingServer(_config(app), lambda: on_ready(Address(port=port, url=url)))
             await self._server.serve(sockets=[listener])
 
     def stop(self) -> None:
@@ -137,12 +139,26 @@ def _beside(
     return beside
 
 
-class _Server(uvicorn.Server):
-    """Tells when it listens."""
+class EndingServer(uvicorn.Server):
+    """Tells when it listens; an interrupt ends it in order, and is no error."""
 
     def __init__(self, config: uvicorn.Config, on_started: Callable[[], None]) -> None:
         super().__init__(config)
         self._on_started = on_started
+
+    @override
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Take signals as the wish to end, and do not raise them again afterwards."""
+        if threading.current_thread() is not threading.main_thread():
+            yield
+            return
+        before = {s: signal.signal(s, self.handle_exit) for s in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            yield
+        finally:
+            for number, handler in before.items():
+                signal.signal(number, handler)
 
     @override
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:

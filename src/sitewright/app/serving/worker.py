@@ -68,7 +68,7 @@ class Worker:
 
     def serve(self) -> None:
         """Work until the server is gone."""
-        desk = Desk(self.memory)
+        desk = Desk(self.memory, waits_to_go=not self.begins_itself)
         Thread(target=self._listen, args=(desk,), daemon=True).start()
         begun_by: Signed | None = None
         go = self.begins_itself

@@ -26,6 +26,7 @@ class Bar:
 
     Attributes:
         starts_s: On the cell's clock, counted from the first skill of the run.
+        step: Number in its proposal, whose fingerprint is beside it.
         is_done: False if the skill failed or its outcome was never known.
     """
 
@@ -35,6 +36,8 @@ class Bar:
     starts_s: float
     duration_s: float
     is_done: bool = True
+    step: int = 0
+    fingerprint: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -83,6 +83,8 @@ def _start(fold: _Fold, intent: SkillIntent) -> None:
             target=proposal.target,
             starts_s=start_s,
             duration_s=step.duration_s,
+            step=step.number,
+            fingerprint=proposal.fingerprint,
         )
         fold.planned.append(bar)
         start_s += step.duration_s
@@ -111,6 +113,8 @@ def _close(fold: _Fold, end_s: float) -> None:
             starts_s=max(fold.started_s, end_s - duration_s),
             duration_s=duration_s,
             is_done=is_done,
+            step=intent.step,
+            fingerprint=intent.fingerprint,
         )
     )
     fold.flight, fold.report = None, None

@@ -27,6 +27,7 @@ from sitewright.interaction_twin.web.twin import Twin
 LANGUAGES = ("en",)
 _FOR_EVER = "private, max-age=31536000, immutable"
 _OPEN = "open"
+_REPORT_POLICY = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'"
 
 
 class Api:
@@ -152,6 +153,28 @@ class Api:
         wanted = request.path_params["run"]
         found = await self._twin.run(wanted)
         return answer(unknown("run", wanted)) if found is None else JSONResponse(found)
+
+    async def why(self, request: Request, person: Person) -> Response:
+        """Return why a step is there, by this robot, in this way."""
+        del person
+        fingerprint, number = request.path_params["fingerprint"], request.path_params["number"]
+        found = await self._twin.why(fingerprint, number)
+        return answer(unknown("step", str(number))) if found is None else JSONResponse(found)
+
+    async def report(self, request: Request, person: Person) -> Response:
+        """Return the report of a run; it loads nothing and runs nothing."""
+        del person
+        wanted = request.path_params["run"]
+        found = await self._twin.report(wanted)
+        if found is None:
+            return answer(unknown("report of run", wanted))
+        headers = {"content-security-policy": _REPORT_POLICY}
+        return Response(found, media_type="text/html; charset=utf-8", headers=headers)
+
+    async def schedule(self, request: Request, person: Person) -> Response:
+        """Return planned and actual skills of the newest run."""
+        del request, person
+        return JSONResponse(await self._twin.schedule())
 
     async def graph(self, request: Request, person: Person) -> Response:
         """Return the construction relationship graph."""

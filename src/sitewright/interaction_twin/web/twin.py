@@ -62,6 +62,18 @@ class Twin(Protocol):
         """Return one run with its events and bars."""
         ...
 
+    async def why(self, fingerprint: str, number: int) -> Document | None:
+        """Return why a step of a proposal is as it is."""
+        ...
+
+    async def report(self, run: str) -> bytes | None:
+        """Return the report of a run as a page of its own; None while there is none."""
+        ...
+
+    async def schedule(self) -> Document:
+        """Return planned and actual skills of the newest run on one time axis."""
+        ...
+
     async def graph(self) -> Document:
         """Return the construction relationship graph now."""
         ...
