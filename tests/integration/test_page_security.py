@@ -73,7 +73,11 @@ def test_every_route_has_a_policy_and_every_verb_a_role() -> None:
 
 @pytest.mark.parametrize("route", ROUTES, ids=lambda r: f"{r.method} {r.path}")
 def test_without_a_session_no_route_answers_but_the_sign_in(served: Served, route: Any) -> None:
-    path = route.path.replace("{fingerprint}", "open").replace("{sha256}", "0" * 64)
+    path = (
+        route.path.replace("{fingerprint}", "open")
+        .replace("{sha256}", "0" * 64)
+        .replace("{number:int}", "1")
+    )
     body = "{}" if route.method != "GET" else None
     answer = served.guest().request(
         route.method,
