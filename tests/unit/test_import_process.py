@@ -7,11 +7,19 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pytest
 
+from sitewright.building_model.formats.detect import FileKind
+from sitewright.building_model.formats.foreign_files import (
+    IMPORT_LIMITS,
+    READERS,
+    read_foreign,
+)
 from sitewright.building_model.formats.import_process import (
     ChildFailed,
     Limits,
@@ -52,8 +60,8 @@ def test_what_a_library_prints_is_no_part_of_the_answer() -> None:
     ("manner", "reason"),
     [
         ("crash", "was ended by SIGSEGV"),
-        ("cpu", "was ended by SIG"),
-        ("memory", "stopped with: MemoryError"),
+        ("cpu", "used more than 1 s of processor time"),
+        ("memory", "needs more than 1 GB of memory"),
         ("files", "Too many open files"),
         ("half", "gave no complete answer"),
         ("nan", "Out of range float"),
@@ -61,6 +69,46 @@ def test_what_a_library_prints_is_no_part_of_the_answer() -> None:
 )
 def test_a_bad_reader_is_told_by_what_ended_it(manner: str, reason: str) -> None:
     assert reason in said(manner)
+
+
+def test_a_limit_that_was_hit_is_named_with_the_way_to_raise_it(tmp_path: Path) -> None:
+    small = replace(IMPORT_LIMITS, memory_bytes=1024**3)
+    with pytest.raises(
+        ModelRejectedError, match=r"needs more than 1 GB of memory\. Export .* --reader-gb 8"
+    ):
+        answer_about(tmp_path / "a.obj", READER, "memory", "x", limits=small)
+
+
+def test_a_reader_cannot_get_out_of_its_limits(tmp_path: Path) -> None:
+    answer = answer_about(tmp_path, READER, "escape", str(tmp_path / "x"), limits=SMALL)
+    assert answer["worked"] == []
+    assert answer["isolated"] == 1
+    assert answer["limits"] == {"AS": 1024**3, "CPU": 1, "FSIZE": 0, "NOFILE": 256, "CORE": 0}
+    assert not (tmp_path / "escaped").exists() or (tmp_path / "escaped").stat().st_size == 0
+
+
+@pytest.mark.parametrize("kind", READERS)
+def test_every_foreign_kind_is_read_by_a_child_under_the_same_limits(
+    kind: FileKind, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started: list[list[str]] = []
+    popen = subprocess.Popen
+
+    def watched(command: list[str], **more: Any) -> Any:
+        started.append(command)
+        assert "PYTHONPATH" not in more["env"]
+        return popen(command, **more)
+
+    monkeypatch.setattr(subprocess, "Popen", watched)
+    file = tmp_path / "bad"
+    file.write_bytes(b"v 1\n")
+    with pytest.raises(ModelRejectedError):
+        read_foreign(file, kind)
+    (command,) = started
+    limits = f"{os.getpid()},{4 * 1024**3},60,0,256"
+    assert command[1] == "-I"
+    assert limits in command
+    assert command[-2:] == [str(kind), str(file)]
 
 
 def test_a_reader_may_not_write_a_single_byte(tmp_path: Path) -> None:

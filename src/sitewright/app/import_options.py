@@ -7,7 +7,12 @@ from collections.abc import Iterable, Mapping
 from sitewright.building_model.formats.detect import FileKind
 from sitewright.errors import SitewrightError
 
-_ALL = frozenset({"--unit", "--map", "--repair", "--split", "--group", "--lay-flat", "--turn-over"})
+_ALL = frozenset(
+    {
+        *("--unit", "--map", "--repair", "--split", "--group", "--lay-flat", "--turn-over"),
+        *("--reader-gb", "--reader-s"),
+    }
+)
 _BLANKS = "its parts are blanks and bars, each one closed solid"
 _NO_WORDS = "the format holds no keys and no layers"
 _OWN = "it is Sitewright's own format, in metres, and is taken as it stands"

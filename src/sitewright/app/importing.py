@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 from collections.abc import Iterator, Mapping
@@ -25,9 +26,10 @@ from sitewright.building_model.formats.detect import (
     read_limited,
     refused,
 )
-from sitewright.building_model.formats.foreign_files import READERS, read_foreign
+from sitewright.building_model.formats.foreign_files import IMPORT_LIMITS, READERS, read_foreign
 from sitewright.building_model.formats.from_neutral import model_of, targets_in
 from sitewright.building_model.formats.import_map import ImportMap, read_map
+from sitewright.building_model.formats.import_process import Limits
 from sitewright.building_model.formats.native import read_building
 from sitewright.building_model.formats.to_file import document_of
 from sitewright.building_model.inference.assembly import infer_assembly
@@ -61,6 +63,8 @@ class ImportOptions:
         group: Only this group is built; everything else is drawn only.
         lays_flat: It is drawn standing and built lying flat.
         is_turned_over: Laid flat on its other face.
+        reader_gb: Memory that the reader may use, in GB (1024**3 bytes).
+        reader_s: Time that the reader may take, processor or clock, in seconds.
     """
 
     unit: str | None = None
@@ -70,6 +74,8 @@ class ImportOptions:
     group: str | None = None
     lays_flat: bool = False
     is_turned_over: bool = False
+    reader_gb: float | None = None
+    reader_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -213,7 +219,7 @@ def read_design(
         raise refused(file, "E3", message, f"Give it one of: {known}.")
     words = ImportMap() if options.map_file is None else read_map(options.map_file)
     model, problems = model_of(
-        read_foreign(file, kind),
+        read_foreign(file, kind, limits=_limits(options)),
         file,
         unit=options.unit,
         mapping=words,
@@ -223,6 +229,15 @@ def read_design(
     if kind is FileKind.BTLX:
         model = replace(model, relations=(*model.relations, *cut_joints(model)))
     return kind, _as_built_here(model, options), problems
+
+
+def _limits(options: ImportOptions) -> Limits:
+    limits = IMPORT_LIMITS
+    if options.reader_gb is not None:
+        limits = replace(limits, memory_bytes=int(options.reader_gb * 1024**3))
+    if options.reader_s is not None:
+        limits = replace(limits, cpu_s=math.ceil(options.reader_s), wall_s=options.reader_s)
+    return limits
 
 
 def _as_built_here(model: BuildingModel, options: ImportOptions) -> BuildingModel:
@@ -253,6 +268,8 @@ def _given(options: ImportOptions) -> Iterator[str]:
         ("--group", options.group),
         ("--lay-flat", options.lays_flat),
         ("--turn-over", options.is_turned_over),
+        ("--reader-gb", options.reader_gb),
+        ("--reader-s", options.reader_s),
     ):
         if value:
             yield name

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from sitewright.app.reimporting import Reimport, Wishes
 
 _INVALID = 3
+_GB, _S = click.FloatRange(0.25, 1024.0), click.FloatRange(1.0, 86_400.0)
 
 
 @click.command("import")
@@ -29,6 +30,8 @@ _INVALID = 3
 @click.option("--group", help="Build only this group, e.g. one wall panel; draw the rest.")
 @click.option("--lay-flat", "lays_flat", is_flag=True, help="Drawn standing, built lying flat.")
 @click.option("--turn-over", "is_turned_over", is_flag=True, help="Laid flat: the other face down.")
+@click.option("--reader-gb", type=_GB, help="Memory that reading may use.  [default: 4]")
+@click.option("--reader-s", type=_S, help="Seconds that reading may take.  [default: 60]")
 @click.option(
     "-o", "--out", "folder", type=FOLDER, required=True, help="Project to make or to change."
 )

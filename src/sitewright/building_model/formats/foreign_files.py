@@ -26,6 +26,9 @@ READERS: Mapping[FileKind, str] = {
 }
 """The reader of each kind, a function Path -> NeutralFile; named, since each loads its library."""
 
+IMPORT_LIMITS = Limits(how_to_raise="Or give it more: --reader-gb 8, --reader-s 300.")
+"""What a reader may use, unless the user gives it more."""
+
 
 def read_foreign(path: Path, kind: FileKind, *, limits: Limits | None = None) -> NeutralFile:
     """Return what a foreign file holds; it is read in a child process under limits.
@@ -33,7 +36,7 @@ def read_foreign(path: Path, kind: FileKind, *, limits: Limits | None = None) ->
     Args:
         path: The file.
         kind: What it is; one of `READERS`.
-        limits: What the child may use.
+        limits: What the child may use; `IMPORT_LIMITS` by default.
 
     Raises:
         ModelRejectedError: It cannot be read, or whatever read it died (E2).
@@ -41,7 +44,9 @@ def read_foreign(path: Path, kind: FileKind, *, limits: Limits | None = None) ->
     from sitewright.building_model.formats.neutral_records import BadRecordsError, neutral_of
 
     function = f"{_PACKAGE}.foreign_files:answer"
-    document = answer_about(path, function, str(kind), str(path.absolute()), limits=limits)
+    document = answer_about(
+        path, function, str(kind), str(path.absolute()), limits=limits or IMPORT_LIMITS
+    )
     try:
         return neutral_of(document)
     except BadRecordsError as error:

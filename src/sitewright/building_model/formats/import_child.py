@@ -19,6 +19,9 @@ from sitewright.errors import ModelRejectedError
 from sitewright.foundation.canonical import Json
 
 _PR_SET_PDEATHSIG = 1
+_PR_SET_NO_NEW_PRIVS = 38
+_CAPABILITY_VERSION_3 = 0x20080522
+_CAP_DAC_OVERRIDE, _CAP_DAC_READ_SEARCH = 1, 2
 _CLONE_NEWUSER, _CLONE_NEWNET = 0x10000000, 0x40000000
 
 
@@ -34,6 +37,7 @@ def main(spec: str, function: str, *arguments: str) -> None:
     _die_with(parent)
     leave_network()
     _limit(memory, cpu, written, files)
+    drop_powers(keeps_writing=written > 0)
     answer_to = os.fdopen(os.dup(1), "w", encoding="ascii")
     os.dup2(2, 1)  # what libraries print is no part of the answer
     module, _, name = function.partition(":")
@@ -51,6 +55,24 @@ def leave_network() -> bool:
     return bool(libc.unshare(kinds) == 0)
 
 
+def drop_powers(*, keeps_writing: bool) -> bool:
+    """Keep no power of root but to reach files, so that no limit can be raised again.
+
+    Args:
+        keeps_writing: Files of other users may be written, too, as root may.
+
+    Returns:
+        False where the kernel does not let us; a user without powers has none to drop.
+    """
+    libc = ctypes.CDLL(None, use_errno=True)
+    libc.prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
+    header = (ctypes.c_uint32 * 2)(_CAPABILITY_VERSION_3, 0)
+    reaching = 1 << _CAP_DAC_READ_SEARCH | (1 << _CAP_DAC_OVERRIDE if keeps_writing else 0)
+    kept = reaching if os.geteuid() == 0 else 0
+    data = (ctypes.c_uint32 * 6)(kept, kept, 0, 0, 0, 0)  # effective, permitted, inheritable; twice
+    return bool(libc.capset(header, data) == 0)
+
+
 def _document(function: Callable[..., Json], arguments: Sequence[str]) -> str:
     try:
         return json.dumps({"answer": function(*arguments)}, allow_nan=False)
@@ -65,16 +87,16 @@ def _die_with(parent: int) -> None:
 
 
 def _limit(memory: int, cpu: int, written: int, files: int) -> None:
-    for kind, value in (
-        (resource.RLIMIT_AS, memory),
-        (resource.RLIMIT_CPU, cpu),
-        (resource.RLIMIT_FSIZE, written),
-        (resource.RLIMIT_NOFILE, files),
-        (resource.RLIMIT_CORE, 0),
+    for kind, soft, hard in (
+        (resource.RLIMIT_AS, memory, memory),
+        (resource.RLIMIT_CPU, cpu, cpu + 1),  # the first sends SIGXCPU, which says why
+        (resource.RLIMIT_FSIZE, written, written),
+        (resource.RLIMIT_NOFILE, files, files),
+        (resource.RLIMIT_CORE, 0, 0),
     ):
-        _, hard = resource.getrlimit(kind)
-        allowed = value if hard == resource.RLIM_INFINITY else min(value, hard)
-        resource.setrlimit(kind, (allowed, allowed))
+        _, most = resource.getrlimit(kind)
+        allowed = hard if most == resource.RLIM_INFINITY else min(hard, most)
+        resource.setrlimit(kind, (min(soft, allowed), allowed))
 
 
 def _texts(problem: object) -> list[Json]:

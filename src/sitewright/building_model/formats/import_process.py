@@ -28,9 +28,11 @@ _BOOT = (
     "from sitewright.building_model.formats.import_child import main; main(*sys.argv[1:])"
 )
 _SHOWN_CHARS = 400
+_OUT_OF_MEMORY = ("MemoryError", "bad_alloc", "annot allocate memory")
 _CHUNK_BYTES = 1 << 20
 _LAST_WORDS_BYTES = 1 << 16
 _POLL_S = 0.002
+_LIGHTER = "Export only what is to be built."
 _FIX = "Check the file, or save or export it again."
 
 
@@ -42,6 +44,7 @@ class Limits:
         memory_bytes: Address space, libraries included.
         written_bytes: Largest file that it may write; nothing by default.
         answer_bytes: Longest answer that is listened to.
+        how_to_raise: How a user gives it more, as a sentence; empty where nobody can.
     """
 
     memory_bytes: int = 4 * 1024**3
@@ -50,6 +53,7 @@ class Limits:
     written_bytes: int = 0
     open_files: int = 256
     answer_bytes: int = 512 * 1024**2
+    how_to_raise: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,9 +62,11 @@ class ChildFailed:
 
     Attributes:
         reason: What ended it, as a phrase: ``took longer than 60 s``.
+        is_limit: It would have used more than it may.
     """
 
     reason: str
+    is_limit: bool = False
 
 
 def answer_about(
@@ -77,9 +83,11 @@ def answer_about(
     Raises:
         ModelRejectedError: The function refused the file, or its process failed (E2).
     """
-    answer = run_child(function, *arguments, limits=limits or Limits())
+    limits = limits or Limits()
+    answer = run_child(function, *arguments, limits=limits)
     if isinstance(answer, ChildFailed):
-        raise refused(path, "E2", f"the reader {answer.reason}.", _FIX)
+        fix = f"{_LIGHTER} {limits.how_to_raise}".rstrip() if answer.is_limit else _FIX
+        raise refused(path, "E2", f"the reader {answer.reason}.", fix)
     return _unwrapped(path, answer)
 
 
@@ -117,7 +125,7 @@ def _result(process: subprocess.Popen[bytes], limits: Limits) -> Json | ChildFai
         return _too_slow(limits)
     _end(process)
     if process.returncode != 0:
-        return ChildFailed(_ended_by(process.returncode, last_words))
+        return _ended_by(process.returncode, last_words, limits)
     try:
         document: Json = json.loads(answer)
     except (ValueError, RecursionError):
@@ -142,7 +150,8 @@ def _listen(
                 if not _take(key.fileobj, key.data):  # type: ignore[arg-type]
                     selector.unregister(key.fileobj)
             if len(answer) > limits.answer_bytes:
-                return ChildFailed(f"answered with more than {limits.answer_bytes} bytes")
+                said = f"answered with more than {limits.answer_bytes} bytes"
+                return ChildFailed(said, is_limit=True)
             del complaints[:-_LAST_WORDS_BYTES]
     return bytes(answer), bytes(complaints)
 
@@ -194,7 +203,7 @@ def _problem(record: Json) -> Problem:
 
 
 def _too_slow(limits: Limits) -> ChildFailed:
-    return ChildFailed(f"took longer than {limits.wall_s:g} s")
+    return ChildFailed(f"took longer than {limits.wall_s:g} s", is_limit=True)
 
 
 def _environment() -> dict[str, str]:
@@ -203,8 +212,16 @@ def _environment() -> dict[str, str]:
     return {**kept, **dict.fromkeys(threads, "1")}
 
 
-def _ended_by(returncode: int, stderr: bytes) -> str:
+def _ended_by(returncode: int, stderr: bytes, limits: Limits) -> ChildFailed:
+    """Say what ended it; the limits that the kernel keeps are told by their marks."""
+    if returncode == -signal.SIGXCPU:
+        words = f"used more than {limits.cpu_s} s of processor time"
+        return ChildFailed(words, is_limit=True)
+    last = [line for line in stderr.decode(errors="replace").splitlines() if line.strip()][-1:]
+    if any(mark in line for line in last for mark in _OUT_OF_MEMORY):
+        words = f"needs more than {limits.memory_bytes / 1024**3:g} GB of memory"
+        return ChildFailed(words, is_limit=True)
     if returncode < 0:
-        return f"was ended by {signal.Signals(-returncode).name}"
-    lines = [line for line in stderr.decode(errors="replace").splitlines() if line.strip()]
-    return f"stopped with: {lines[-1][:_SHOWN_CHARS]}" if lines else f"stopped with {returncode}"
+        return ChildFailed(f"was ended by {signal.Signals(-returncode).name}")
+    said = last[0][:_SHOWN_CHARS] if last else str(returncode)
+    return ChildFailed(f"stopped with: {said}" if last else f"stopped with {said}")
