@@ -10,6 +10,7 @@ import socket
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -90,7 +91,7 @@ def _network(_: Path) -> Any:
 
 def _escape(path: Path) -> Any:
     """Try to get out of every limit, and tell what worked."""
-    tries = {
+    tries: dict[str, Callable[[], object]] = {
         "raise memory": lambda: resource.setrlimit(
             resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY)
         ),
