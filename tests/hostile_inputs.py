@@ -66,7 +66,9 @@ def _row(kind: str, attack: str, content: bytes, *says: str, exit_code: int = 3)
 def _any_format() -> Iterator[Hostile]:
     for kind, good in GOOD.items():
         yield _row(kind, "half", good[: len(good) // 2], "E")
-        yield _row(kind, "tenth", good[: len(good) // 10], "E")
+        if kind in {"btlx", "native"}:  # the same code finds it in all
+            yield _row(kind, "tenth", good[: len(good) // 10], "E4")
+            yield _row(kind, "utf16", good.decode().encode("utf-16"), "E3", "UTF-16")
         yield _row(
             kind,
             "nul",
@@ -76,7 +78,6 @@ def _any_format() -> Iterator[Hostile]:
             "E",
         )
         yield _row(kind, "trailing-data", good + b"\nfoo bar" + good, "E")
-        yield _row(kind, "utf16", good.decode().encode("utf-16"), "E3", "UTF-16")
         yield _row(
             kind,
             "not-utf8",
@@ -92,57 +93,43 @@ def _any_format() -> Iterator[Hostile]:
     yield Hostile(id="any-pickle", content=b"\x80\x04cos\nsystem\n(S'true'\ntR.", says=("E3",))
 
 
+_LONG = b"k" * 200_000
+_ADDED: dict[str, tuple[bytes, tuple[str, ...]]] = {
+    "deep-lists": (b'"x": ' + b"[" * DEEP + b"]" * DEEP, ("E5", "deeper than 32")),
+    "digits": (b'"x": ' + DIGITS, ("E5", "1000000 digits")),
+    "duplicate-key": (b'"x": 1, "x": 2', ("K2", "'x' stands twice")),
+    "nan": (b'"x": NaN', ("K3", "NaN")),
+    "surrogate": (b'"x": "\\ud800", "\\udfff": 1', ("E5", "surrogate")),
+}
+"""What is added to a JSON file of any kind."""
+_ADDED_TO_TWO: dict[str, tuple[bytes, tuple[str, ...]]] = {
+    "deep-objects": (b'"x": ' + b'{"a":' * DEEP + b"1" + b"}" * DEEP, ("E5", "deeper than 32")),
+    "duplicate-keys": (
+        b'"x": {' + b",".join([b'"k":1'] * 50_000) + b"}",
+        ("K2", "stands 50000 times"),
+    ),
+    "distinct-duplicates": (
+        b'"x": {' + b",".join(b'"k%d":1,"k%d":1' % (i, i) for i in range(20_000)) + b"}",
+        ("K2", "more keys and numbers are wrong"),
+    ),
+    "long-key": (b'"' + _LONG + b'": 1, "' + _LONG + b'": 1', ("K2",)),
+    "infinity": (b'"x": [-Infinity]', ("K3", "-Infinity")),
+    "1e400": (b'"x": 1e400', ("K3", "1e400")),
+    "many-nans": (b'"x": [' + b"NaN," * 50_000 + b"0]", ("K3", "more keys and numbers")),
+}
+"""What is added to one file of ours and one of others: the same code reads all JSON."""
+
+
 def _json() -> Iterator[Hostile]:
     for kind in JSON_KINDS:
         good = GOOD[kind]
         inside = good.rstrip()[:-1]
-        yield _row(kind, "deep-lists", inside + b', "x": ' + b"[" * DEEP + b"]" * DEEP + b"}", "E5")
-        yield _row(
-            kind,
-            "deep-objects",
-            inside + b', "x": ' + b'{"a":' * DEEP + b"1" + b"}" * DEEP + b"}",
-            "E5",
-        )
-        yield _row(kind, "digits", inside + b', "x": ' + DIGITS + b"}", "E5", "1000000 digits")
-        yield _row(
-            kind,
-            "fraction",
-            inside + b', "x": 0.' + b"9" * 100_000 + b"}",
-            exit_code=0 if kind in {"bar_frame", "compas_assembly"} else 3,
-        )
-        yield _row(kind, "duplicate-key", inside + b', "x": 1, "x": 2}', "K2")
-        yield _row(
-            kind,
-            "duplicate-keys",
-            inside + b', "x": {' + b",".join(b'"k":1' for _ in range(50000)) + b"}}",
-            "K2",
-        )
-        yield _row(
-            kind,
-            "distinct-duplicates",
-            inside
-            + b', "x": {'
-            + b",".join(b'"k%d":1,"k%d":1' % (i, i) for i in range(20000))
-            + b"}}",
-            "K2",
-        )
-        yield _row(
-            kind,
-            "long-key",
-            inside + b', "' + b"k" * 200_000 + b'": 1, "' + b"k" * 200_000 + b'": 1}',
-            "K2",
-        )
-        yield _row(kind, "nan", inside + b', "x": NaN}', "K3")
-        yield _row(kind, "infinity", inside + b', "x": [-Infinity]}', "K3")
-        yield _row(kind, "1e400", inside + b', "x": 1e400}', "K3")
-        yield _row(kind, "many-nans", inside + b', "x": [' + b"NaN," * 50000 + b"0]}", "K3")
-        yield _row(
-            kind, "surrogate", inside + b', "x": "\\ud800", "\\udfff": 1}', "E5", "surrogate"
-        )
-        yield _row(
-            kind, "bom", b"\xef\xbb\xbf" + good, exit_code=0 if kind != "compas_timber" else 3
-        )
-        yield _row(kind, "list", b"[" + good + b"]", "E3")
+        two = _ADDED_TO_TWO if kind in {"native", "compas_assembly"} else {}
+        for attack, (added, says) in {**_ADDED, **two}.items():
+            yield _row(kind, attack, inside + b", " + added + b"}", *says)
+        is_whole = kind != "compas_timber"  # the small one holds no beams
+        yield _row(kind, "bom", b"\xef\xbb\xbf" + good, exit_code=0 if is_whole else 3)
+    yield _row("native", "list", b"[" + NATIVE + b"]", "E3")
 
 
 def _xml() -> Iterator[Hostile]:
@@ -232,7 +219,7 @@ _HARMLESS = {
 
 
 def _numbers() -> Iterator[Hostile]:
-    for word in (b"NaN", b"1e400", b"1e30", b"-1e308", BEYOND, b"1e-300"):
+    for word in (b"NaN", b"1e400", b"1e30", BEYOND, b"1e-300"):
         for kind, place, old, new in (
             ("obj", "vertex", b"v 1 1 1", b"v 1 1 %s"),
             ("btlx", "place", b'Point X="0"', b'Point X="%s"'),

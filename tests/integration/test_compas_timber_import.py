@@ -227,6 +227,11 @@ def empty_model(_text: str) -> str:
         (lambda _: '{"vertex": {}}', "E3", "looks like: json"),
         (lambda _: "\x00\x01", "E3", "looks like: unknown"),
         (lambda t: t.replace('"width": 60', '"breadth": 60'), "E2", "compas_timber cannot read it"),
+        (
+            lambda t: t.replace('"height": 120', '"height": 1e19', 2),
+            "E2",
+            "cannot work out beam",
+        ),
     ],
 )
 def test_a_broken_file_is_one_clear_error(

@@ -6,6 +6,8 @@ Runs in a child process (`foreign_files`), since the library runs what its files
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -25,20 +27,34 @@ def read(path: str) -> dict[str, Any]:
 
 
 def _records(model: Any) -> dict[str, Any]:  # noqa: ANN401 - untyped library
-    errors = model.process_joinery()
+    errors = _said(model.process_joinery, "its joints")
     parts, left_out = [], []
     for element in model.elements():
         if hasattr(element, "blank") and hasattr(element, "centerline"):
-            parts.append(_part(element))
+            parts.append(_said(partial(_part, element), f"beam {element.guid}"))
         else:
             left_out.append([str(element.guid), type(element).__name__])
     return {
         "parts": [p for p, _ in parts],
-        "joints": [_joint(j) for j in model.joints],
+        "joints": [_said(partial(_joint, joint), "a joint") for joint in model.joints],
         "left_out": left_out,
         "unknown_features": [f for _, features in parts for f in features],
         "joinery_errors": [str(getattr(e, "debug_info", None) or e)[:300] for e in errors],
     }
+
+
+def _said(ask: Callable[[], Any], about: str) -> Any:  # noqa: ANN401 - untyped library
+    """Return what the library says; whatever it raises is a refusal that names the place."""
+    try:
+        return ask()
+    except MemoryError:
+        raise
+    except Exception as error:  # noqa: BLE001 - of a bad file
+        said = f"{type(error).__name__}: {str(error)[:200]}".rstrip(".")
+        message = f"compas_timber cannot work out {about} ({said})."
+        raise UnreadableError(
+            "E2", message, "Repair it in the model and export it again."
+        ) from None
 
 
 def _demand_trusted(document: Any) -> None:  # noqa: ANN401 - JSON of a stranger
@@ -79,7 +95,7 @@ def _load(path: str) -> Any:  # noqa: ANN401 - untyped library
     except Exception as error:  # noqa: BLE001 - whatever the library meets in a bad file
         kind = type(error).__name__
         raise UnreadableError(
-            "E2", f"compas_timber cannot read it: {kind}: {error}.", "Export it again."
+            "E2", f"compas_timber cannot read it: {kind}: {str(error)[:200]}.", "Export it again."
         ) from None
     if not isinstance(model, TimberModel):
         raise UnreadableError(

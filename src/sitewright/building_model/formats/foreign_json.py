@@ -30,7 +30,7 @@ def read_json(path: Path) -> Json:
         raise ModelRejectedError(str(path), [text])
     document, problems = parse(text, path)
     if problems:
-        raise ModelRejectedError(str(path), problems[:_SHOWN])
+        raise ModelRejectedError(str(path), problems)
     return document
 
 
