@@ -20,7 +20,8 @@ from sitewright.app.run import RunResult, run_project
 from sitewright.app.serving.channel import Channel
 from sitewright.app.serving.history import history_of
 from sitewright.app.serving.memory import Memory
-from sitewright.app.serving.project_run import begins_itself
+from sitewright.app.serving.policy_file import policy_of
+from sitewright.app.serving.project_run import begins_itself, begun, state_after
 from sitewright.app.serving.run_process import Hear, PipeLink
 from sitewright.app.serving.server import Address, PageServer, ServeOptions
 from sitewright.app.serving.worker import Hooks, Worker
@@ -83,6 +84,8 @@ class ThreadLink:
             memory=memory,
             run_once=self._run_once,
             begins_itself=begins_itself(history, self.site.site),
+            policy=policy_of(read_project(self.site.folder).settings),
+            site_at_rest=lambda: state_after(history_of(runs), self.site.site).site,
         ).serve()
         channel.close()
 
@@ -93,12 +96,7 @@ class ThreadLink:
             on_record=hooks.on_record,
             hold_asked=hooks.desk.hold_asked,
         )
-        begun = hooks.begun_by
-        options = replace(
-            self.site.options(),
-            who=begun.person.who if begun else "",
-            decision=begun.record() if begun else None,
-        )
+        options = replace(self.site.options(), **begun(hooks.begun_by))
         return run_project(ports, options)
 
 

@@ -77,6 +77,7 @@ def test_without_a_session_no_route_answers_but_the_sign_in(served: Served, rout
         route.path.replace("{fingerprint}", "open")
         .replace("{sha256}", "0" * 64)
         .replace("{number:int}", "1")
+        .replace("{target}", "stud-1")
     )
     body = "{}" if route.method != "GET" else None
     answer = served.guest().request(
@@ -110,6 +111,10 @@ def test_each_role_may_do_exactly_what_it_is_for(
         "call": {"skill": "reach", "robot": "r", "arguments": []},
         "question_id": "none",
         "answer": "done",
+        "component": "stud-1",
+        "zone": {"remove": "keep-out-9"},
+        "target": "stud-1",
+        "effects": ["(standing stud-1)"],
     }
     if verb is Verb.RESUME:
         wait_for(client, lambda s: s["phase"] == "waiting")

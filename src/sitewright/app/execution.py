@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -20,12 +20,14 @@ from sitewright.app.run_folder import chain_of, installation_key
 from sitewright.app.runner import RunPorts
 from sitewright.building_model.component import Layer
 from sitewright.building_model.model import BuildingModel
+from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import AnyEvent
 from sitewright.central_controller.ports import Answer, Approver, Hold, Question
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.protection import protection_problems
 from sitewright.central_controller.site_state import site_of
+from sitewright.central_controller.zoned import ZonedProposals
 from sitewright.errors import ModelRejectedError
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.report.content import Stamped
@@ -45,6 +47,7 @@ class Watch:
         hold_asked: The hold that somebody wants, if any.
         who: Who began it at a page, for the journal.
         decision: What the journal keeps of that.
+        first: What is recorded first of all, because a person wanted it while the run stood.
     """
 
     on_record: Callable[[str, Stamped], None] = field(default=lambda _run, _record: None)
@@ -52,6 +55,7 @@ class Watch:
     hold_asked: Callable[[], Hold | None] = field(default=lambda: None)
     who: str = ""
     decision: DecisionRecord | None = None
+    first: Callable[[CycleState], Sequence[AnyEvent]] = field(default=lambda _: ())
 
 
 _UNDO = "Undo that in building.json, or begin on an empty site: run --from-design."
@@ -83,7 +87,7 @@ def run_command(
         require_standing(project)
     keep_design(project.folder)
     proposals = proposals_of(project)
-    clock, seen = SystemClock(), watch or Watch()
+    clock, seen, zoned = SystemClock(), watch or Watch(), ZonedProposals(proposals)
 
     def connect(home: Path) -> CellDriver:
         driver = simulated_cell(project, proposals, home)
@@ -91,8 +95,8 @@ def run_command(
         return driver
 
     ports = RunPorts(
-        planner=proposals,
-        check=proposals,
+        planner=zoned,
+        check=zoned,
         approver=approver,
         connect=connect,
         clock=clock,
@@ -116,6 +120,7 @@ def run_command(
         from_design=from_design,
         who=seen.who,
         decision=seen.decision,
+        first=seen.first,
     )
     return run_project(ports, options)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -55,6 +55,7 @@ class RunOptions:
         from_design: Start on an empty site instead of continuing the newest run.
         who: Who asked for it at a page.
         decision: What the journal keeps of that.
+        first: What is recorded first of all, given the state that the run goes on from.
     """
 
     project: str
@@ -66,6 +67,7 @@ class RunOptions:
     from_design: bool = False
     who: str = ""
     decision: DecisionRecord | None = None
+    first: Callable[[CycleState], Sequence[AnyEvent]] = field(default=lambda _: ())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,7 +104,7 @@ def run_project(ports: RunPorts, options: RunOptions) -> RunResult:
         chain = chain_of(newest) if newest is not None else ()
         state, head = fold_of(chain, options.design)
         change = design_change(state, options.hashes.get("model", ""), options.pieces)
-        news = told(state, change, ports.clock.utc_ns())
+        news = [*told(state, change, ports.clock.utc_ns()), *options.first(state)]
         if newest is None or state.finished is not None:
             if newest is not None and _folded(state, news).site.is_complete:
                 return _result(newest, state, "Every component is installed; nothing to do.")

@@ -12,6 +12,7 @@ from sitewright.central_controller.events import (
     ApprovalGiven,
     ApprovalRefused,
     ApprovalRejected,
+    ProposalSuperseded,
     RunHeld,
     TargetRefused,
 )
@@ -20,13 +21,16 @@ from sitewright.central_controller.ports import (
     Alternative,
     ApprovalRequest,
     Approve,
+    ByHand,
     DoInstead,
+    DrawZone,
     Hold,
+    Mismatch,
     Reject,
+    RemoveZone,
 )
 from sitewright.central_controller.site_state import Rejection
-
-HELD_BY_PERSON = 7
+from sitewright.central_controller.steering import HELD_BY_PERSON, Steering, steered
 
 
 def ask_approval(run: Run, step: int) -> Iterator[AnyEvent]:
@@ -44,6 +48,24 @@ def ask_approval(run: Run, step: int) -> Iterator[AnyEvent]:
             )
         case Hold():
             yield held_by(answer)
+        case Mismatch() | DrawZone() | RemoveZone() | ByHand():
+            yield from _steered(run, answer)
+
+
+def _steered(run: Run, wish: Steering) -> Iterator[AnyEvent]:
+    """Record what a person changed beside the plan; the plan goes before anything moves."""
+    why, events = steered(run.state.site, wish)
+    made = run.state.proposal
+    assert made is not None  # noqa: S101 -- the cycle asks only for an open proposal
+    first, *rest = events
+    yield first
+    yield ProposalSuperseded(
+        fingerprint=made.fingerprint,
+        reason=why,
+        is_replan=False,
+        at_utc_ns=run.ports.clock.utc_ns(),
+    )
+    yield from rest
 
 
 def held_by(hold: Hold) -> RunHeld:
@@ -72,6 +94,7 @@ def _request(run: Run, step: int) -> ApprovalRequest:
         alternatives=alternatives,
         refusals=run.state.refusals,
         why=run.state.why,
+        site=run.state.site,
     )
 
 

@@ -10,7 +10,7 @@ from sitewright.central_controller.approval import Approval
 from sitewright.central_controller.codec import DecodeError, from_json, to_json
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.ports import Answer, Question, RefusalNote
-from sitewright.central_controller.site_state import Rejection
+from sitewright.central_controller.site_state import DrawnZone, Rejection
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import (
     CommandId,
@@ -20,6 +20,7 @@ from sitewright.foundation.ids import (
     RobotId,
     RunId,
     StationId,
+    ZoneId,
 )
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.motion import Certificate
@@ -271,6 +272,44 @@ class AlternativeRefused:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ZoneDrawn:
+    """A person drew a box that robots and pieces keep out of from now on."""
+
+    kind: ClassVar[str] = "zone_drawn"
+    version: ClassVar[int] = 1
+    zone: DrawnZone
+    who: str
+    decision: DecisionRecord | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ZoneRemoved:
+    """A person took a drawn zone away."""
+
+    kind: ClassVar[str] = "zone_removed"
+    version: ClassVar[int] = 1
+    zone: ZoneId
+    who: str
+    decision: DecisionRecord | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DoneByHand:
+    """A person says that work on a target was done by hand, effect by effect.
+
+    Attributes:
+        effects: Facts that the person vouches for; events of their own carry them out.
+    """
+
+    kind: ClassVar[str] = "done_by_hand"
+    version: ClassVar[int] = 1
+    target: ComponentId
+    effects: tuple[str, ...]
+    who: str
+    decision: DecisionRecord | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SkillIntent:
     """A step is about to start; written and synced before the driver hears of it.
 
@@ -467,6 +506,9 @@ AnyEvent = (
     | ApprovalRejected
     | AlternativeChosen
     | AlternativeRefused
+    | ZoneDrawn
+    | ZoneRemoved
+    | DoneByHand
     | SkillIntent
     | SkillOutcome
     | SkillReconciled

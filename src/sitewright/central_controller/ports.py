@@ -10,7 +10,8 @@ from typing import Protocol
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.central_controller.site_state import SiteState
-from sitewright.foundation.ids import ComponentId, RunId
+from sitewright.foundation.ids import ComponentId, RunId, ZoneId
+from sitewright.foundation.pose import Pose, Vector
 from sitewright.planning_twin.motion import Certificate
 from sitewright.planning_twin.refusal import StaleCertificate
 from sitewright.planning_twin.scene import SceneSnapshot
@@ -235,6 +236,7 @@ class ApprovalRequest:
         alternatives: Computes the other feasible actions when called (may take a second).
         refusals: Those met while planning.
         why: Why this is asked anew (deviation, expiry ...); empty the first time.
+        site: As folded when it was asked.
     """
 
     proposal: Proposal
@@ -245,6 +247,7 @@ class ApprovalRequest:
     alternatives: Callable[[], tuple[Alternative, ...]]
     refusals: tuple[RefusalNote, ...] = ()
     why: str = ""
+    site: SiteState = field(default_factory=SiteState)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -292,7 +295,46 @@ class Hold:
     decision: DecisionRecord | None = None
 
 
-ApprovalAnswer = Approve | Reject | DoInstead | Hold
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mismatch:
+    """A component of the model is not on the site as the model says; look before going on."""
+
+    who: str
+    component: str
+    detail: str = ""
+    decision: DecisionRecord | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrawZone:
+    """Keep out of a box from now on."""
+
+    who: str
+    size_m: Vector
+    world_T_zone: Pose
+    decision: DecisionRecord | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RemoveZone:
+    """A drawn box need not be kept out of any more."""
+
+    who: str
+    zone: ZoneId
+    decision: DecisionRecord | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ByHand:
+    """Work on a target was done by hand; `effects` are facts of `hand_facts`."""
+
+    who: str
+    target: ComponentId
+    effects: tuple[str, ...]
+    decision: DecisionRecord | None = None
+
+
+ApprovalAnswer = Approve | Reject | DoInstead | Hold | Mismatch | DrawZone | RemoveZone | ByHand
 
 
 class Answer(StrEnum):

@@ -18,6 +18,8 @@ from sitewright.central_controller.events import (
     RunStarted,
     SiteObserved,
     TargetRefused,
+    ZoneDrawn,
+    ZoneRemoved,
 )
 from sitewright.central_controller.sensed import merged
 from sitewright.central_controller.site_state import PlacedPiece, SiteState
@@ -41,8 +43,19 @@ def site_after(  # noqa: PLR0911 -- one line per kind of event
             return replace(site, refused={**site.refused, target: reason})
         case ApprovalRejected(rejection=rejection):
             return replace(site, rejections=(*site.rejections, rejection))
+        case ZoneDrawn() | ZoneRemoved():
+            return _zoned(site, event)
         case _:
             return _after_component_event(site, event)
+
+
+def _zoned(site: SiteState, event: ZoneDrawn | ZoneRemoved) -> SiteState:
+    """Return the site with one zone more or less; no plan of before knows that."""
+    if isinstance(event, ZoneDrawn):
+        zones = {**site.zones, event.zone.id: event.zone}
+    else:
+        zones = {i: z for i, z in site.zones.items() if i != event.zone}
+    return replace(site, zones=zones, serial=site.serial + 1)
 
 
 def _redesigned(site: SiteState, event: DesignChanged) -> SiteState:

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 from sitewright.building_model.component import Layer
 from sitewright.building_model.model import BuildingModel
-from sitewright.foundation.ids import ComponentId, OperationId, RobotId
-from sitewright.foundation.pose import Pose
+from sitewright.foundation.ids import ComponentId, OperationId, RobotId, ZoneId
+from sitewright.foundation.pose import Pose, Vector
 from sitewright.robot_team.driver import Observation
 from sitewright.robot_team.skill import SkillCall
 
@@ -50,6 +50,21 @@ class Rejection:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class DrawnZone:
+    """A box that a person drew to be kept out of; it has no body.
+
+    Attributes:
+        size_m: Full edge lengths along its own axes.
+        who: Who drew it.
+    """
+
+    id: ZoneId
+    size_m: Vector
+    world_T_zone: Pose
+    who: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SiteState:
     """The site after all recorded events.
 
@@ -67,6 +82,7 @@ class SiteState:
         needs_rework: Targets that a person must put right, with the reason.
         refused: Targets set aside in this run, with the reason.
         rejections: What people refused in this run.
+        zones: What people drew to be kept out of, beside the zones of the cell.
     """
 
     targets: tuple[ComponentId, ...] = ()
@@ -81,6 +97,7 @@ class SiteState:
     needs_rework: Mapping[ComponentId, str] = field(default_factory=dict)
     refused: Mapping[ComponentId, str] = field(default_factory=dict)
     rejections: tuple[Rejection, ...] = ()
+    zones: Mapping[ZoneId, DrawnZone] = field(default_factory=dict)
 
     @property
     def is_complete(self) -> bool:

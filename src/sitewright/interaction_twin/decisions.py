@@ -8,8 +8,27 @@ from dataclasses import dataclass, field
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.ports import Answer, Scope
 from sitewright.foundation.canonical import Json, canonical_json, sha256_hex
+from sitewright.foundation.pose import Pose, Vector, from_axis_angle
 from sitewright.interaction_twin.roles import Person, Verb
 from sitewright.robot_team.skill import SkillCall
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ZoneWish:
+    """A box that stands upright.
+
+    Attributes:
+        yaw_rad: Turn about the world's z.
+    """
+
+    centre_m: Vector
+    size_m: Vector
+    yaw_rad: float = 0.0
+
+    @property
+    def world_T_zone(self) -> Pose:
+        """Pose of its middle."""
+        return Pose(self.centre_m, from_axis_angle((0.0, 0.0, 1.0), self.yaw_rad))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,6 +45,9 @@ class Decision:
         step: Step that a rejection or a new motion is about; 0 is the whole plan.
         call: The other action that was chosen.
         question_id: The question that `answer` is about.
+        component: What does not match the site.
+        zone: A box to keep out of; `remove_zone` names one to take away.
+        target: What was worked on by hand, and which `effects` the person vouches for.
     """
 
     verb: Verb
@@ -42,6 +64,11 @@ class Decision:
     call: SkillCall | None = None
     question_id: str = ""
     answer: Answer | None = None
+    component: str = ""
+    zone: ZoneWish | None = None
+    remove_zone: str = ""
+    target: str = ""
+    effects: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,11 +77,13 @@ class Signed:
 
     Attributes:
         body_sha256: Of the request's content, to tell a repeated press from a reused key.
+        second: The other person, where a policy asks for two.
     """
 
     decision: Decision
     person: Person
     body_sha256: str
+    second: str = ""
 
     def record(self) -> DecisionRecord:
         """Return what the journal keeps of it."""
@@ -67,6 +96,7 @@ class Signed:
             session=self.person.session,
             language=decision.language,
             shown=decision.shown,
+            second=self.second,
         )
 
 
@@ -133,6 +163,9 @@ PAST: Mapping[Verb, str] = {
     Verb.INSTEAD: "chose another action instead of",
     Verb.NEW_MOTION: "asked for a new motion in",
     Verb.HOLD: "held",
+    Verb.MISMATCH: "reported a mismatch in",
+    Verb.ZONE: "changed the keep-out zones of",
+    Verb.MANUAL: "completed by hand a part of",
 }
 
 

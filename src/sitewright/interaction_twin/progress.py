@@ -11,6 +11,7 @@ from sitewright.central_controller.events import (
     ComponentInstalled,
     DesignChanged,
     DeviationSeen,
+    DoneByHand,
     LinkLost,
     ProposalMade,
     ProposalSuperseded,
@@ -23,6 +24,8 @@ from sitewright.central_controller.events import (
     SkillOutcome,
     SkillReconciled,
     TargetRefused,
+    ZoneDrawn,
+    ZoneRemoved,
 )
 from sitewright.central_controller.fingerprint import check_code
 from sitewright.interaction_twin.labels import Labels
@@ -32,7 +35,12 @@ from sitewright.interaction_twin.narration import narrate
 
 def progress_line(event: AnyEvent, labels: Labels) -> str:
     """Return the line of an event; empty if it is of no interest while watching."""
-    return _run_line(event) or _work_line(event, labels) or _trouble_line(event, labels)
+    return (
+        _run_line(event)
+        or _work_line(event, labels)
+        or _trouble_line(event, labels)
+        or _steering_line(event, labels)
+    )
 
 
 def _run_line(event: AnyEvent) -> str:
@@ -68,6 +76,19 @@ def _work_line(event: AnyEvent, labels: Labels) -> str:
         case ComponentInstalled():
             error_mm = event.world_T_wanted.distance_to_m(event.world_T_measured) * 1000.0
             return f"{labels.name(event.target)} is installed, {error_mm:.1f} mm off."
+        case _:
+            return ""
+
+
+def _steering_line(event: AnyEvent, labels: Labels) -> str:
+    """Return what a person changed beside the plan."""
+    match event:
+        case ZoneDrawn(zone=zone, who=who):
+            return f"{who} drew the keep-out zone {zone.id}."
+        case ZoneRemoved(zone=name, who=who):
+            return f"{who} took the keep-out zone {name} away."
+        case DoneByHand(target=target, who=who):
+            return f"{who} did work on {labels.name(target)} by hand."
         case _:
             return ""
 

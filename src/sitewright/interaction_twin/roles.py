@@ -34,6 +34,9 @@ class Verb(StrEnum):
     NEW_MOTION = "new-motion"
     RESUME = "resume"
     ANSWER = "answer"
+    MISMATCH = "mismatch"
+    ZONE = "zone"
+    MANUAL = "manual"
     HOLD = "hold"
 
 
@@ -44,6 +47,9 @@ NEEDED_ROLE: Mapping[Verb, Role] = {
     Verb.NEW_MOTION: Role.OPERATOR,
     Verb.RESUME: Role.OPERATOR,
     Verb.ANSWER: Role.OPERATOR,
+    Verb.MISMATCH: Role.OPERATOR,
+    Verb.ZONE: Role.SUPERVISOR,
+    Verb.MANUAL: Role.SUPERVISOR,
     Verb.HOLD: Role.VIEWER,
 }
 """The lowest role for each verb; a verb without an entry is a bug that a test finds."""

@@ -15,7 +15,7 @@ from sitewright.construction_graph.queries import leaves, missing_before
 from sitewright.foundation.canonical import Json, canonical_json, sha256_hex
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose, Vector
-from sitewright.foundation.shapes import Shape
+from sitewright.foundation.shapes import Box, Shape
 from sitewright.interaction_twin.labels import Labels
 from sitewright.robot_team.cell import Cell, EndEffector, Robot
 from sitewright.robot_team.description import Description
@@ -98,6 +98,10 @@ class _Scene:
             "zones": [
                 {**self._body(z.id, z.shape, z.world_T_zone), "by": "cell"}
                 for z in cell.zone_by_id.values()
+            ]
+            + [
+                {**self._body(z.id, (Box(z.size_m),), z.world_T_zone), "by": z.who}
+                for z in source.site.zones.values()
             ],
             "fixtures": [
                 self._body(f.id, f.shape, f.world_T_fixture) for f in cell.fixture_by_id.values()

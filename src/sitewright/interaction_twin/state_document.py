@@ -16,7 +16,6 @@ from sitewright.central_controller.cycle import next_command
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.fingerprint import check_code
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import ComponentId
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import counted
 from sitewright.interaction_twin.narration import narrate
@@ -104,7 +103,6 @@ def state_document(state: CycleState, standing: Standing, labels: Labels) -> dic
         "held": None
         if state.held is None
         else {"reason": state.held.reason, "exit_code": state.held.exit_code},
-        "trouble": [_trouble(t, why, labels) for t, why in _refused(state).items()],
         "progress": {"installed": len(site.installed), "targets": len(site.targets)},
         "is_over": state.finished is not None and site.is_complete,
     }
@@ -181,19 +179,4 @@ def _question(state: CycleState) -> Json:
         "target": question.target,
         "text": question.text,
         "answers": ["done", "not-done", "partial"],
-    }
-
-
-def _refused(state: CycleState) -> dict[ComponentId, str]:
-    return {**state.site.refused, **state.site.needs_rework}
-
-
-def _trouble(target: ComponentId, reason: str, labels: Labels) -> Json:
-    return {
-        "target": target,
-        "name": labels.name(target),
-        "reason": reason,
-        "pair": None,
-        "blockers": [],
-        "options": [],
     }

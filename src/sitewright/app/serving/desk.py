@@ -7,24 +7,24 @@ is told only when the journal has its event on the disk.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from threading import Condition
 
 from sitewright.app.serving.memory import Memory, decision_of
+from sitewright.app.serving.rules import answer_of, objection, sameness, zone_objection
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.ports import (
     Alternative,
     ApprovalAnswer,
     ApprovalRequest,
-    Approve,
     DoInstead,
     Hold,
     Question,
-    Reject,
-    ScopeKind,
     Settled,
 )
+from sitewright.central_controller.site_state import SiteState
 from sitewright.errors import JournalError, SitewrightError
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.decisions import (
@@ -37,12 +37,15 @@ from sitewright.interaction_twin.decisions import (
     refusal,
     stale,
 )
+from sitewright.interaction_twin.policy import ApprovalPolicy
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.roles import Verb
 
 Respond = Callable[[Reply], None]
 """Sends the answer to the one who decided."""
 _SERVER = "the page's server"
+ABOUT_THE_SITE = (Verb.ZONE, Verb.MISMATCH, Verb.MANUAL)
+"""Verbs that change what plans are made of; they need no fingerprint."""
 
 
 @dataclass
@@ -64,14 +67,27 @@ class _Errand:
 class Desk:
     """Port `Approver` for people at a page."""
 
-    def __init__(self, memory: Memory, *, waits_to_go: bool = True) -> None:
+    def __init__(
+        self,
+        memory: Memory,
+        *,
+        policy: ApprovalPolicy | None = None,
+        site_at_rest: Callable[[], SiteState] = SiteState,
+        waits_to_go: bool = True,
+        now_s: Callable[[], float] = time.monotonic,
+    ) -> None:
         """Open the desk.
 
         Args:
             memory: What was decided before.
+            policy: Rules of the project.
+            site_at_rest: The site while the run stands.
             waits_to_go: The run stands until somebody wants it to go on.
+            now_s: Clock for those who wait for a second person.
         """
-        self._memory = memory
+        self._memory, self._policy = memory, policy or ApprovalPolicy()
+        self._site_at_rest, self._now_s = site_at_rest, now_s
+        self._firsts: dict[str, tuple[Signed, float]] = {}
         self._changed = Condition()
         self._request: ApprovalRequest | None = None
         self._question: Question | None = None
@@ -207,21 +223,48 @@ class Desk:
 
     def _judged(self, signed: Signed, respond: Respond) -> Reply | None:
         """Return the refusal or the first answer again; None if the decision was taken."""
-        decision = signed.decision
-        if known := self._memory.body_of(decision.key):
-            if known != signed.body_sha256:
-                return key_reused()
-            first = self._memory.first_answer(decision.key)
-            return Reply(status=200, body={**first, "repeated": True})
-        if self._taken is not None and self._taken.signed.decision.key == decision.key:
-            if self._taken.signed.body_sha256 != signed.body_sha256:
-                return key_reused()
-            self._taken.respond.append(respond)
+        repeated = self._repeated(signed, respond)
+        if repeated is not None:
+            return repeated
+        if self._taken is not None and respond in self._taken.respond:
             return None
         reply = self._not_acceptable(signed)
-        if reply is None:
-            self._taken = _Taken(signed, [respond])
-        return reply
+        if reply is not None:
+            return reply
+        if signed.decision.verb in self._policy.two_person:
+            other = self._first_of_two(signed)
+            if other is None:
+                return one_of_two(signed)
+            signed = replace(signed, second=other.person.who)
+        self._taken = _Taken(signed, [respond])
+        return None
+
+    def _repeated(self, signed: Signed, respond: Respond) -> Reply | None:
+        """Return what a known key gets; one that is being written down waits with the first."""
+        key, taken = signed.decision.key, self._taken
+        known = self._memory.body_of(key)
+        is_pending = taken is not None and taken.signed.decision.key == key
+        if taken is not None and is_pending:
+            known = taken.signed.body_sha256
+        if known and known != signed.body_sha256:
+            return key_reused()
+        if taken is not None and is_pending:
+            taken.respond.append(respond)
+            return None
+        if known:
+            return Reply(status=200, body={**self._memory.first_answer(key), "repeated": True})
+        return None
+
+    def _first_of_two(self, signed: Signed) -> Signed | None:
+        """Return who decided the same before; without that, remember this one."""
+        what, now_s = sameness(signed.decision), self._now_s()
+        first, at_s = self._firsts.get(what, (signed, now_s))
+        is_in_time = now_s - at_s <= self._policy.second_within_s
+        if first.person.who != signed.person.who and is_in_time:
+            del self._firsts[what]
+            return first
+        self._firsts[what] = (signed, now_s)
+        return None
 
     def _not_acceptable(self, signed: Signed) -> Reply | None:
         match signed.decision.verb:
@@ -230,6 +273,8 @@ class Desk:
                 return None if free else not_asked("The run is under way already.")
             case Verb.ANSWER:
                 return self._about_question(signed)
+            case Verb.ZONE if self._waits_to_go and self._taken is None:
+                return zone_objection(signed, self._site_at_rest())
             case _:
                 return self._about_proposal(signed)
 
@@ -246,12 +291,17 @@ class Desk:
         taken = self._taken
         if taken is not None and taken.signed.decision.fingerprint == decision.fingerprint:
             return self._memory.decided_first(taken.signed)
-        if request is None or decision.fingerprint != request.fingerprint:
+        if request is None and not decision.fingerprint:
+            return not_asked("The run plans or moves now; hold it, or wait until it asks.")
+        wanted = decision.fingerprint
+        if not wanted and request is not None and decision.verb in ABOUT_THE_SITE:
+            wanted = request.fingerprint
+        if request is None or wanted != request.fingerprint:
             open_ = "" if request is None else request.fingerprint
             return self._memory.too_late(decision.fingerprint, open_)
         if decision.next_step not in (0, request.next_step):
             return self._memory.too_late(decision.fingerprint, "")
-        return _scope_problem(signed, request)
+        return objection(signed, request, self._policy)
 
     # ---- answers ---------------------------------------------------------------------------
 
@@ -262,38 +312,7 @@ class Desk:
             return self._taken, errand, None if self._taken else self._hold
 
     def _answer_of(self, taken: _Taken, request: ApprovalRequest) -> ApprovalAnswer | None:
-        decision, who, record = (
-            taken.signed.decision,
-            taken.signed.person.who,
-            taken.signed.record(),
-        )
-        match decision.verb:
-            case Verb.APPROVE:
-                return Approve(
-                    fingerprint=decision.fingerprint,
-                    who=who,
-                    scope=decision.scope,
-                    comment=decision.comment,
-                    decision=record,
-                )
-            case Verb.REJECT:
-                return Reject(
-                    who=who,
-                    reason=decision.reason,
-                    detail=decision.detail,
-                    step=decision.step,
-                    decision=record,
-                )
-            case Verb.NEW_MOTION:
-                return Reject(
-                    who=who,
-                    reason="path-unsafe",
-                    detail=decision.detail,
-                    step=decision.step,
-                    decision=record,
-                )
-            case _:
-                return self._instead(taken, request, record)
+        return answer_of(taken.signed) or self._instead(taken, request, taken.signed.record())
 
     def _instead(
         self, taken: _Taken, request: ApprovalRequest, record: DecisionRecord
@@ -330,20 +349,17 @@ class Desk:
             errand.respond(not_asked("No plan waits for a decision any more."))
 
 
-def _scope_problem(signed: Signed, request: ApprovalRequest) -> Reply | None:
-    decision, last = signed.decision, len(request.proposal.steps)
-    about = decision.scope.step if decision.verb is Verb.APPROVE else decision.step
-    if not 0 <= about <= last:
-        return refusal(422, "fields", f"The plan has steps 1 to {last}; there is no step {about}.")
-    if decision.verb is Verb.APPROVE and not decision.scope.covers(request.next_step):
-        what = "step" if decision.scope.kind is ScopeKind.STEP else "part"
-        return refusal(
-            409,
-            "decided",
-            f"That {what} of the plan is done or decided; step {request.next_step} is next.",
-            next_step=request.next_step,
-        )
-    return None
+def one_of_two(signed: Signed) -> Reply:
+    """Return that one person is not enough for this."""
+    verb = signed.decision.verb.value
+    message = f"Noted. To {verb}, a second person must decide the same."
+    body: dict[str, Json] = {
+        "ok": False,
+        "verb": verb,
+        "waiting_for": "second person",
+        "message": message,
+    }
+    return Reply(status=202, body=body)
 
 
 def _way(way: Alternative) -> Json:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import TypedDict
 
 from sitewright.app.execution import Watch, require_targets, run_command
 from sitewright.app.project import Project, open_project
@@ -13,10 +14,17 @@ from sitewright.app.run import RunResult
 from sitewright.app.serving.channel import Channel
 from sitewright.app.serving.history import Numbered, history_of
 from sitewright.app.serving.memory import Memory
+from sitewright.app.serving.policy_file import policy_of
+from sitewright.app.serving.rules import zone_wish
 from sitewright.app.serving.worker import Hooks, Worker
 from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
+from sitewright.central_controller.decision import DecisionRecord
+from sitewright.central_controller.events import AnyEvent, ProposalSuperseded
 from sitewright.central_controller.site_state import SiteState, site_of
+from sitewright.central_controller.steering import steered
+from sitewright.interaction_twin.decisions import Signed
+from sitewright.interaction_twin.roles import Verb
 
 
 def worker_of(
@@ -58,16 +66,59 @@ def worker_of(
                 on_record=hooks.on_record,
                 on_connect=hooks.on_connect,
                 hold_asked=hooks.desk.hold_asked,
-                who=begun_by.person.who if begun_by else "",
-                decision=begun_by.record() if begun_by else None,
+                **begun(begun_by),
             ),
         )
         anew[0] = False
         write_report(opened, result.run)
         return result
 
-    begins = from_design or begins_itself(history, site_of(project.model))
-    return Worker(channel=channel, memory=memory, run_once=run_once, begins_itself=begins)
+    design = site_of(project.model)
+
+    def site_at_rest() -> SiteState:
+        return state_after(history_of(project.folder / "runs"), design).site
+
+    return Worker(
+        channel=channel,
+        memory=memory,
+        run_once=run_once,
+        begins_itself=from_design or begins_itself(history, design),
+        policy=policy_of(project.settings),
+        site_at_rest=site_at_rest,
+    )
+
+
+class Begun(TypedDict):
+    """Who began or resumed a run, and what comes first in it."""
+
+    who: str
+    decision: DecisionRecord | None
+    first: Callable[[CycleState], Sequence[AnyEvent]]
+
+
+def begun(signed: Signed | None) -> Begun:
+    """Return what a decision to go on means: a zone that was drawn while the run stood is first."""
+    if signed is None:
+        return Begun(who="", decision=None, first=_nothing)
+    who = signed.person.who
+    if signed.decision.verb is not Verb.ZONE:
+        return Begun(who=who, decision=signed.record(), first=_nothing)
+    wish = zone_wish(signed)
+
+    def first(state: CycleState) -> Sequence[AnyEvent]:
+        why, events = steered(state.site, wish)
+        made = state.proposal
+        if made is None:
+            return events
+        gone = ProposalSuperseded(fingerprint=made.fingerprint, reason=why, is_replan=False)
+        return [*events, gone]
+
+    return Begun(who=who, decision=None, first=first)
+
+
+def _nothing(state: CycleState) -> Sequence[AnyEvent]:
+    del state
+    return ()
 
 
 def begins_itself(history: Sequence[Numbered], design: SiteState) -> bool:
@@ -75,12 +126,18 @@ def begins_itself(history: Sequence[Numbered], design: SiteState) -> bool:
 
     What was approved, or is under way, waits for a person at the page; so does what was held.
     """
-    state = CycleState(site=design)
-    for record in history:
-        state = folded(state, record.stamped.event)
+    state = state_after(history, design)
     is_pending = state.approval is not None or state.flight is not None
     is_over = state.finished is not None or state.held is not None
     return not (is_pending or is_over or state.question is not None)
+
+
+def state_after(history: Sequence[Numbered], design: SiteState) -> CycleState:
+    """Return the fold of a history."""
+    state = CycleState(site=design)
+    for record in history:
+        state = folded(state, record.stamped.event)
+    return state
 
 
 def _at_speed(project: Project, speed: float) -> Project:

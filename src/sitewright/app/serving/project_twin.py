@@ -10,46 +10,25 @@ from importlib.metadata import version
 from pathlib import Path
 
 from sitewright.app.looking import graph_at
-from sitewright.app.planning import start_of
-from sitewright.app.project import read_project
 from sitewright.app.reporting import REPORT_PAGE
 from sitewright.app.run_folder import run_folders
 from sitewright.app.serving.channel import Message
-from sitewright.app.serving.history import Numbered, history_of
 from sitewright.app.serving.live_feed import LiveFeed
 from sitewright.app.serving.past_runs import bars_document
+from sitewright.app.serving.policy_file import policy_of
 from sitewright.app.serving.proposal_shelf import ProposalShelf
-from sitewright.app.serving.records import Records
 from sitewright.app.serving.run_process import RunLink
-from sitewright.app.serving.scene_shelf import SceneShelf, triangles
+from sitewright.app.serving.run_view import RunView
+from sitewright.app.serving.scene_shelf import SceneShelf
 from sitewright.app.serving.side_work import SideWork, all_runs, one_run, why
+from sitewright.app.serving.telling import by_hand_document, ways_reply
 from sitewright.central_controller.codec import to_json
-from sitewright.central_controller.events import (
-    AnyEvent,
-    ApprovalRejected,
-    ComponentDisplaced,
-    ComponentInstalled,
-    ComponentPositioned,
-    ComponentStanding,
-    DesignChanged,
-    OperationDone,
-    ProposalMade,
-    ProposalSuperseded,
-    RunStarted,
-    SiteObserved,
-    TargetRefused,
-    event_from_json,
-)
 from sitewright.central_controller.fingerprint import check_code
 from sitewright.central_controller.proposal import Proposal
-from sitewright.central_controller.site_state import site_of
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.clock import Clock
-from sitewright.foundation.ids import RobotId
 from sitewright.interaction_twin.decisions import Decision, Reply, Signed
 from sitewright.interaction_twin.event_document import audit_document, event_document
-from sitewright.interaction_twin.labels import labels_of
-from sitewright.interaction_twin.narration import narrate
 from sitewright.interaction_twin.phrases import ENGLISH, PHRASEBOOKS
 from sitewright.interaction_twin.proposal_document import (
     ProposalSource,
@@ -57,59 +36,54 @@ from sitewright.interaction_twin.proposal_document import (
     proposal_document,
 )
 from sitewright.interaction_twin.proposal_story import story_of
-from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.report.timeline import timeline
 from sitewright.interaction_twin.roles import Person
-from sitewright.interaction_twin.scene_document import (
-    SceneSource,
-)
-from sitewright.interaction_twin.state_document import Standing, state_document
 from sitewright.interaction_twin.web.twin import Audience, Document
-from sitewright.robot_team.skill import SkillCall
 
 _NS = 1_000_000_000
 _MS = 1_000_000
-_CHANGES_SCENE = (
-    ComponentDisplaced,
-    ComponentInstalled,
-    ComponentPositioned,
-    ComponentStanding,
-    DesignChanged,
-    OperationDone,
-    ProposalMade,
-    ProposalSuperseded,
-    ApprovalRejected,
-    RunStarted,
-    TargetRefused,
-)
 
 
 class ProjectTwin:
     """Port `Twin` for a project and the process of its run."""
 
     def __init__(
-        self, folder: Path, link: RunLink, audience: Audience, clock: Clock, *, cell: Path | None
+        self,
+        folder: Path,
+        link: RunLink,
+        audience: Audience,
+        clock: Clock,
+        *,
+        cell: Path | None = None,
+        has_users: bool = False,
     ) -> None:
         """Read the project and its journal; nothing is started yet.
+
+        Args:
+            folder: The project.
+            link: The way to the run.
+            audience: All pages.
+            clock: For what is not in the journal.
+            cell: Another cell file.
+            has_users: People have tokens of their own.
 
         Raises:
             SitewrightError: The project or its journal cannot be read.
         """
         self._folder, self._cell_file = folder, cell
         self._link, self._audience, self._clock = link, audience, clock
-        self._project = read_project(folder, cell=cell)
-        self._labels = labels_of(self._project.model, self._project.cell)
-        self._records = Records(site_of(self._project.model), history_of(self._runs))
-        self._shelf, self._side = ProposalShelf(self._runs), SideWork()
-        self._standing = Standing(is_active=False)
+        self._view = RunView(folder, cell)
+        self._shelf, self._side = ProposalShelf(self._view.runs), SideWork()
+        self._policy = policy_of(self._view.project.settings, has_users=has_users)
         self._shelf_lock = asyncio.Lock()
         self._started_ns = clock.monotonic_ns()
-        self.feed = LiveFeed(audience, clock, folder=self._cell_folder, on_change=self._tell_state)
+        self.feed = LiveFeed(
+            audience,
+            clock,
+            folder=lambda: self._view.cell_folder,
+            on_change=self._tell_state,
+        )
         self._scenes = SceneShelf(self.feed)
-
-    @property
-    def _runs(self) -> Path:
-        return self._folder / "runs"
 
     async def start(self) -> None:
         """Start the process of the run."""
@@ -126,92 +100,27 @@ class ProjectTwin:
         if message["is"] == "event":
             self._hear_event(message)
         else:
-            self._hear_of_run(message)
+            self._view.hear_of_run(message)
         self._tell_state()
 
     def _hear_event(self, message: Message) -> None:
-        version_, number, at_utc_ns = message["version"], message["n"], message["at_utc_ns"]
-        assert isinstance(version_, int)  # noqa: S101 -- our own process
-        assert isinstance(number, int)  # noqa: S101
-        assert isinstance(at_utc_ns, int)  # noqa: S101
-        event = event_from_json(str(message["kind"]), version_, message["body"])
-        stamped = Stamped(at_utc_ns=at_utc_ns, event=event, number=number)
-        record = Numbered(str(message["run"]), stamped)
-        if isinstance(event, DesignChanged):
-            self._read_again()
-        before = self._mounted()
-        if not self._records.add(record):
+        heard = self._view.hear_event(message)
+        if heard is None:
             return
-        if event.kind == "run_held":
-            self._stand(is_hold_asked=False)
-        if self._is_drawn_otherwise(event, before):
+        record, is_drawn_otherwise = heard
+        if is_drawn_otherwise:
             self._scenes.outdate()
-        self._audience.tell(event_document(record.run, stamped, self._labels))
-
-    def _hear_of_run(self, message: Message) -> None:
-        match message["what"]:
-            case "begun":
-                self._standing = Standing(is_active=True)
-            case "broken" | "gone":
-                trouble = self._standing.trouble or str(
-                    message.get("message", "The process of the run ended.")
-                )
-                self._standing = Standing(
-                    is_active=False, is_alive=message["what"] != "gone", trouble=trouble
-                )
-            case "idle":
-                self._standing = Standing(is_active=False, trouble=self._standing.trouble)
-            case _:
-                self._standing = Standing(is_active=False)
-
-    def _stand(self, *, is_hold_asked: bool) -> None:
-        now = self._standing
-        self._standing = Standing(
-            is_active=now.is_active,
-            is_alive=now.is_alive,
-            trouble=now.trouble,
-            is_hold_asked=is_hold_asked,
-        )
-
-    def _read_again(self) -> None:
-        """Take up a changed design."""
-        self._project = read_project(self._folder, cell=self._cell_file)
-        self._labels = labels_of(self._project.model, self._project.cell)
-        self._records = Records(site_of(self._project.model), self._records.all())
-
-    def _mounted(self) -> Mapping[RobotId, str | None]:
-        sensed = self._records.state.site.sensed
-        return {} if sensed is None else {r: s.mounted for r, s in sensed.robots.items()}
-
-    def _is_drawn_otherwise(self, event: AnyEvent, mounted: Mapping[RobotId, str | None]) -> bool:
-        if isinstance(event, SiteObserved):
-            return self._mounted() != mounted
-        return isinstance(event, _CHANGES_SCENE)
+        self._audience.tell(event_document(record.run, record.stamped, self._view.labels))
 
     def _tell_state(self) -> None:
         self._audience.tell(self.state())
-
-    def _cell_folder(self) -> Path | None:
-        first = self._records.first_run
-        return self._runs / first / "cell" if first else None
 
     # ---- looking -----------------------------------------------------------------------------
 
     def state(self) -> Document:
         """Return how the run stands now."""
-        run, number = self._records.last
-        standing = self._standing
-        standing = Standing(
-            is_active=standing.is_active,
-            is_alive=standing.is_alive,
-            trouble=standing.trouble,
-            is_hold_asked=standing.is_hold_asked,
-            started_at_ms=self._records.skill_started_ms,
-        )
         return {
-            **state_document(self._records.state, standing, self._labels),
-            "run": run,
-            "n": number,
+            **self._view.document(),
             "scene_epoch": self._scenes.epoch,
             "cell": "live" if self.feed.is_live else "absent",
         }
@@ -219,38 +128,21 @@ class ProjectTwin:
     def events_after(self, run: str, number: int) -> list[Document]:
         """Return the events after one, in order."""
         return [
-            event_document(r.run, r.stamped, self._labels) for r in self._records.after(run, number)
+            event_document(r.run, r.stamped, self._view.labels)
+            for r in self._view.records.after(run, number)
         ]
 
     def last_event(self) -> tuple[str, int]:
         """Return run and number of the newest event."""
-        return self._records.last
+        return self._view.records.last
 
     async def scene(self) -> tuple[str, bytes]:
         """Return hash and text of everything that is drawn; worked out once per epoch."""
-        return await self._scenes.get(self._scene_source)
-
-    def _scene_source(self) -> SceneSource:
-        project, state = self._project, self._records.state
-        start = start_of(project)
-        seen = state.site.sensed
-        made = state.proposal
-        return SceneSource(
-            project=project.model.name or project.folder.name,
-            run=self._records.last[0],
-            model=project.model,
-            cell=project.cell,
-            graph=graph_at(project, state.site),
-            site=state.site,
-            observation=start.observation if seen is None else seen,
-            labels=self._labels,
-            triangles=triangles,
-            active=None if made is None else made.target,
-        )
+        return await self._scenes.get(self._view.scene_source)
 
     async def proposal(self, fingerprint: str, language: str) -> Document | None:
         """Return a proposal; the open one if no fingerprint is given."""
-        made = self._records.state.proposal
+        made = self._view.records.state.proposal
         wanted = fingerprint or ("" if made is None else made.fingerprint)
         if not wanted:
             state = self.state()
@@ -259,25 +151,26 @@ class ProjectTwin:
         if found is None:
             return None
         run, proposal = found
-        history = [r.stamped for r in self._records.all()]
+        history = [r.stamped for r in self._view.records.all()]
         story = story_of(wanted, history)
         if story is None:
             return None
-        before = self._records.approved_before(wanted)
+        before = self._view.records.approved_before(wanted)
         previous = await self._find(before) if before else None
         is_open = made is not None and made.fingerprint == wanted
-        state_ = self._records.state
+        state_ = self._view.records.state
         source = ProposalSource(
             run=run,
             fingerprint=wanted,
             proposal=proposal,
             story=story,
             next_step=state_.done + 1 if is_open else 1,
-            labels=self._labels,
+            labels=self._view.labels,
             why=state_.why if is_open else "",
             refusals=state_.refusals if is_open else (),
             previous=None if previous is None else (before, previous[1]),
             book=PHRASEBOOKS.get(language, ENGLISH),
+            look_below_m=self._policy.look_below_m,
         )
         return await asyncio.to_thread(partial(proposal_document, source, is_open=is_open))
 
@@ -302,7 +195,7 @@ class ProjectTwin:
 
     async def report(self, run: str) -> bytes | None:
         """Return the report of a run; None while there is none."""
-        folder = next((f for f in run_folders(self._runs) if f.run == run), None)
+        folder = next((f for f in run_folders(self._view.runs) if f.run == run), None)
         page = None if folder is None else folder.path / REPORT_PAGE
         if page is None or not page.exists():
             return None
@@ -310,17 +203,17 @@ class ProjectTwin:
 
     async def schedule(self) -> Document:
         """Return planned and actual skills of the newest run on one time axis."""
-        run, _ = self._records.last
-        bars = timeline(s.event for s in self._records.of_run(run))
+        run, _ = self._view.records.last
+        bars = timeline(s.event for s in self._view.records.of_run(run))
         return {
             "run": run,
-            "planned": bars_document(bars.planned, self._labels),
-            "actual": bars_document(bars.actual, self._labels),
+            "planned": bars_document(bars.planned, self._view.labels),
+            "actual": bars_document(bars.actual, self._view.labels),
         }
 
     async def graph(self) -> Document:
         """Return the construction relationship graph now."""
-        graph = graph_at(self._project, self._records.state.site)
+        graph = graph_at(self._view.project, self._view.records.state.site)
         return {
             "nodes": [
                 {
@@ -339,12 +232,14 @@ class ProjectTwin:
 
     def audit(self) -> Document:
         """Return all decisions, the newest first."""
-        found = (audit_document(r.run, r.stamped, self._labels) for r in self._records.all())
+        found = (
+            audit_document(r.run, r.stamped, self._view.labels) for r in self._view.records.all()
+        )
         return {"entries": [entry for entry in found if entry is not None][::-1]}
 
     async def health(self) -> Document:
         """Return how server, run, cell and journal are."""
-        run, number = self._records.last
+        run, number = self._view.records.last
         now_ns = self._clock.utc_ns()
         seen_ns = self.feed.seen_ns
         return {
@@ -382,47 +277,28 @@ class ProjectTwin:
         signed = Signed(decision=decision, person=person, body_sha256=body_sha256)
         reply = await self._link.ask("hold", {"signed": to_json(signed)})
         if reply.is_ok:
-            self._stand(is_hold_asked=True)
+            self._view.hold_asked()
             self._tell_state()
         return Reply(status=reply.status, body={**reply.body, "told_cell": told})
 
     async def ways(self, fingerprint: str, language: str) -> Reply:
         """Return what else could be done instead of the next step, in words."""
         reply = await self._link.ask("ways", {"fingerprint": fingerprint})
-        ways = reply.body.get("ways")
-        if not reply.is_ok or not isinstance(ways, list):
+        if not reply.is_ok:
             return reply
-        feasible: list[Json] = []
-        infeasible: list[Json] = []
-        for way in ways:
-            told = self._told(way, language)
-            (feasible if way["is_feasible"] else infeasible).append(told)
-        body = {
-            "fingerprint": fingerprint,
-            "step": reply.body["step"],
-            "feasible": feasible,
-            "infeasible": infeasible,
-        }
-        return Reply(status=200, body=body)
+        book = PHRASEBOOKS.get(language, ENGLISH)
+        return ways_reply(fingerprint, reply.body, self._view.labels, book)
 
-    def _told(self, way: Mapping[str, Json], language: str) -> Json:
-        call = way["call"]
-        assert isinstance(call, Mapping)  # noqa: S101 -- our own process
-        arguments = call["arguments"]
-        assert isinstance(arguments, list)  # noqa: S101
-        skill_call = SkillCall(str(call["skill"]), RobotId(str(call["robot"])), tuple(arguments))
-        words = narrate(skill_call, self._labels, PHRASEBOOKS.get(language, ENGLISH))
-        facts = {**call, "words": words, "duration_s": way["duration_s"]}
-        if way["is_feasible"]:
-            return {**facts, "price_s": way["price_s"], "note": way["note"]}
-        return {**facts, "why_not": way["note"] or "It leads nowhere."}
+    def by_hand(self, target: str) -> Document | None:
+        """Return what a person can vouch for at a target; None if its piece is not in place."""
+        return by_hand_document(target, self._view.records.state.site, self._view.labels)
 
     async def _with_difference(self, body: Mapping[str, Json]) -> Document:
         shown, open_ = str(body.get("shown") or ""), str(body.get("open") or "")
         old, new = await self._find(shown), await self._find(open_)
         changed: list[Json] = []
         if old is not None and new is not None:
-            changed = differences(old[1], new[1], self._labels)
+            changed = differences(old[1], new[1], self._view.labels)
         open_now = {"fingerprint": open_, "code": check_code(open_)} if open_ else None
         return {**body, "open": open_now, "changed": changed}
 

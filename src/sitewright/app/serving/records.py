@@ -62,6 +62,11 @@ class Records:
         """Return all records."""
         return list(self._all)
 
+    @property
+    def stamped(self) -> list[Stamped]:
+        """All records without their runs."""
+        return [r.stamped for r in self._all]
+
     def of_run(self, run: str) -> list[Stamped]:
         """Return the records of one run."""
         return [r.stamped for r in self._all if r.run == run]

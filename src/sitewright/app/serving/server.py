@@ -96,7 +96,9 @@ class PageServer:
         """Serve until interrupted or stopped."""
         options, clock, hub = self._options, SystemClock(), Hub()
         users = {} if options.users is None else read_users(options.users)
-        twin = ProjectTwin(options.folder, self._link, hub, clock, cell=options.cell)
+        twin = ProjectTwin(
+            options.folder, self._link, hub, clock, cell=options.cell, has_users=bool(users)
+        )
         sessions = Sessions(key=installation_key(state_home()), clock=clock, users=users)
         with _listening(options.port) as listener:
             port = int(listener.getsockname()[1])

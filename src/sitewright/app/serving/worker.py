@@ -17,8 +17,10 @@ from sitewright.app.serving.desk import Desk, Respond
 from sitewright.app.serving.memory import Memory
 from sitewright.central_controller.codec import from_json
 from sitewright.central_controller.events import event_to_json
+from sitewright.central_controller.site_state import SiteState
 from sitewright.errors import SitewrightError
 from sitewright.interaction_twin.decisions import Reply, Signed, no_run
+from sitewright.interaction_twin.policy import ApprovalPolicy
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.robot_team.driver import CellDriver
 
@@ -57,18 +59,27 @@ class Worker:
     Attributes:
         run_once: The run, put together elsewhere.
         begins_itself: Begin without being told: nothing is approved, so nothing moves.
+        policy: Rules of the project.
+        site_at_rest: The site while the run stands.
     """
 
     channel: Channel
     memory: Memory
     run_once: RunOnce
     begins_itself: bool = False
+    policy: ApprovalPolicy = field(default_factory=ApprovalPolicy)
+    site_at_rest: Callable[[], SiteState] = SiteState
     _driver: CellDriver | None = field(default=None, init=False)
     _driver_lock: Lock = field(default_factory=Lock, init=False)
 
     def serve(self) -> None:
         """Work until the server is gone."""
-        desk = Desk(self.memory, waits_to_go=not self.begins_itself)
+        desk = Desk(
+            self.memory,
+            policy=self.policy,
+            site_at_rest=self.site_at_rest,
+            waits_to_go=not self.begins_itself,
+        )
         Thread(target=self._listen, args=(desk,), daemon=True).start()
         begun_by: Signed | None = None
         go = self.begins_itself

@@ -132,6 +132,15 @@ class Api:
         del person
         return answer(await self._twin.ways(request.path_params["fingerprint"], _language(request)))
 
+    async def manual(self, request: Request, person: Person) -> Response:
+        """Return the checklist of what was perhaps done by hand at a target."""
+        del person
+        wanted = request.path_params["target"]
+        found = self._twin.by_hand(wanted)
+        return (
+            answer(unknown("piece in place at", wanted)) if found is None else JSONResponse(found)
+        )
+
     async def blob(self, request: Request, person: Person) -> Response:
         """Return the exact bytes of a trajectory."""
         del person

@@ -12,12 +12,20 @@ from sitewright.central_controller.ports import Answer, Scope, ScopeKind
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import RobotId
 from sitewright.interaction_twin.approvers import REASONS
-from sitewright.interaction_twin.decisions import Decision, Reply, refusal, shown_as
+from sitewright.interaction_twin.decisions import (
+    Decision,
+    Reply,
+    ZoneWish,
+    refusal,
+    shown_as,
+)
 from sitewright.interaction_twin.roles import Verb
 from sitewright.robot_team.skill import SkillCall
 
 _Text = Annotated[str, Field(max_length=500)]
 _Id = Annotated[str, Field(max_length=200)]
+_Coordinate = Annotated[float, Field(ge=-1_000.0, le=1_000.0)]
+_Edge = Annotated[float, Field(ge=0.01, le=100.0)]
 _Key = Annotated[str, Field(min_length=8, max_length=100)]
 _Body = TypeVar("_Body", bound=BaseModel)
 
@@ -52,10 +60,29 @@ class CallBody(_Strict):
     arguments: Annotated[list[_Id], Field(max_length=20)]
 
 
+class ZoneBody(_Strict):
+    """A box to keep out of, or the name of one to take away."""
+
+    center_m: tuple[_Coordinate, _Coordinate, _Coordinate] | None = None
+    size_m: tuple[_Edge, _Edge, _Edge] | None = None
+    yaw_rad: Annotated[float, Field(ge=-7.0, le=7.0)] = 0.0
+    remove: _Id = ""
+
+
 class DecisionBody(_Strict):
     """``POST /api/decisions``."""
 
-    verb: Literal["approve", "reject", "instead", "new-motion", "resume", "answer"]
+    verb: Literal[
+        "approve",
+        "reject",
+        "instead",
+        "new-motion",
+        "resume",
+        "answer",
+        "mismatch",
+        "zone",
+        "manual",
+    ]
     key: _Key
     fingerprint: Annotated[str, Field(pattern=r"^([0-9a-f]{64})?$")] = ""
     next_step: Annotated[int, Field(ge=0, le=10_000)] = 0
@@ -69,6 +96,10 @@ class DecisionBody(_Strict):
     call: CallBody | None = None
     question_id: _Id = ""
     answer: Literal["done", "not-done", "partial", ""] = ""
+    component: _Id = ""
+    zone: ZoneBody | None = None
+    target: _Id = ""
+    effects: Annotated[list[_Id], Field(max_length=200)] = []
 
 
 class HoldBody(_Strict):
@@ -126,7 +157,18 @@ def decision_from(body: DecisionBody) -> Decision:
         call=SkillCall(call.skill, RobotId(call.robot), tuple(call.arguments)) if call else None,
         question_id=body.question_id,
         answer=Answer(body.answer) if body.answer else None,
+        component=body.component,
+        zone=_zone(body.zone),
+        remove_zone=body.zone.remove if body.zone else "",
+        target=body.target,
+        effects=tuple(body.effects),
     )
+
+
+def _zone(body: ZoneBody | None) -> ZoneWish | None:
+    if body is None or body.center_m is None or body.size_m is None:
+        return None
+    return ZoneWish(centre_m=body.center_m, size_m=body.size_m, yaw_rad=body.yaw_rad)
 
 
 def hold_from(body: HoldBody) -> Decision:
@@ -135,20 +177,21 @@ def hold_from(body: HoldBody) -> Decision:
 
 
 def _lacking(body: DecisionBody) -> list[str]:
-    match body.verb:
-        case "approve":
-            needed = {"fingerprint": body.fingerprint, "scope": body.scope is not None}
-        case "reject":
-            needed = {"fingerprint": body.fingerprint, "reason": body.reason in REASONS}
-        case "instead":
-            needed = {"fingerprint": body.fingerprint, "call": body.call is not None}
-        case "new-motion":
-            needed = {"fingerprint": body.fingerprint, "step": body.step > 0}
-        case "answer":
-            needed = {"question_id": body.question_id, "answer": body.answer}
-        case "resume":
-            needed = {}
-    return [name for name, is_there in needed.items() if not is_there]
+    zone = body.zone
+    is_box = zone is not None and zone.center_m is not None and zone.size_m is not None
+    is_zone = zone is not None and is_box != bool(zone.remove)
+    given: dict[str, dict[str, object]] = {
+        "approve": {"fingerprint": body.fingerprint, "scope": body.scope is not None},
+        "reject": {"fingerprint": body.fingerprint, "reason": body.reason in REASONS},
+        "instead": {"fingerprint": body.fingerprint, "call": body.call is not None},
+        "new-motion": {"fingerprint": body.fingerprint, "step": body.step > 0},
+        "answer": {"question_id": body.question_id, "answer": body.answer},
+        "resume": {},
+        "mismatch": {"component": body.component},
+        "zone": {"zone": is_zone},
+        "manual": {"target": body.target, "effects": body.effects},
+    }
+    return [name for name, is_there in given[body.verb].items() if not is_there]
 
 
 def _once(pairs: list[tuple[str, Any]]) -> Mapping[str, Any]:

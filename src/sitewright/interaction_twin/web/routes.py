@@ -47,6 +47,7 @@ ROUTES: tuple[ApiRoute, ...] = (
     ApiRoute("GET", "/api/proposals/{fingerprint}", "proposal", _LOOK),
     ApiRoute("GET", "/api/proposals/{fingerprint}/alternatives", "ways", _LOOK),
     ApiRoute("GET", "/api/proposals/{fingerprint}/steps/{number:int}/why", "why", _LOOK),
+    ApiRoute("GET", "/api/manual/{target}", "manual", _LOOK),
     ApiRoute("GET", "/api/blobs/{sha256}", "blob", _LOOK),
     ApiRoute("GET", "/api/runs", "runs", _LOOK),
     ApiRoute("GET", "/api/runs/{run}", "run", _LOOK),

@@ -46,6 +46,10 @@ class Twin(Protocol):
         """Return what else could be done instead of the next step."""
         ...
 
+    def by_hand(self, target: str) -> Document | None:
+        """Return what a person can vouch for at a target."""
+        ...
+
     def events_after(self, run: str, number: int) -> list[Document]:
         """Return the events after one, in order, as the WebSocket sends them."""
         ...

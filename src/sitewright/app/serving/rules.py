@@ -1,0 +1,152 @@
+"""What makes a decision acceptable, and what it is to the run: pure functions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sitewright.central_controller.codec import to_json
+from sitewright.central_controller.ports import (
+    ApprovalAnswer,
+    ApprovalRequest,
+    Approve,
+    ByHand,
+    DrawZone,
+    Mismatch,
+    Reject,
+    RemoveZone,
+    ScopeKind,
+)
+from sitewright.central_controller.site_state import SiteState
+from sitewright.central_controller.steering import hand_facts
+from sitewright.foundation.canonical import canonical_json
+from sitewright.foundation.ids import ComponentId, ZoneId
+from sitewright.interaction_twin.decisions import Decision, Reply, Signed, refusal
+from sitewright.interaction_twin.policy import ApprovalPolicy
+from sitewright.interaction_twin.roles import Role, Verb
+
+
+def objection(signed: Signed, request: ApprovalRequest, policy: ApprovalPolicy) -> Reply | None:
+    """Return why a decision about the open proposal cannot be taken; None if it can."""
+    match signed.decision.verb:
+        case Verb.APPROVE:
+            return _of_scope(signed, request) or _of_clearance(signed, request, policy)
+        case Verb.REJECT | Verb.NEW_MOTION:
+            return _of_step(signed.decision.step, request)
+        case Verb.ZONE:
+            return zone_objection(signed, request.site)
+        case Verb.MANUAL:
+            return _of_hand_work(signed, request.site)
+        case _:
+            return None
+
+
+def zone_objection(signed: Signed, site: SiteState) -> Reply | None:
+    """Return why a zone cannot be taken away: nobody drew it."""
+    name = signed.decision.remove_zone
+    if name and name not in site.zones:
+        drawn = ", ".join(site.zones) or "none"
+        message = f"Nobody drew a keep-out zone {name!r}; drawn are: {drawn}."
+        return refusal(422, "fields", message)
+    return None
+
+
+def sameness(decision: Decision) -> str:
+    """Return what two people must agree on: all but keys, words and what was on the screen."""
+    bare = replace(decision, key="", shown=(), language="", comment="", detail="", next_step=0)
+    return canonical_json(to_json(bare))
+
+
+def answer_of(signed: Signed) -> ApprovalAnswer | None:
+    """Return what a decision is to the run; None for another action, which is looked up first."""
+    decision, who, record = signed.decision, signed.person.who, signed.record()
+    match decision.verb:
+        case Verb.APPROVE:
+            return Approve(
+                fingerprint=decision.fingerprint,
+                who=who,
+                scope=decision.scope,
+                comment=decision.comment,
+                decision=record,
+            )
+        case Verb.REJECT | Verb.NEW_MOTION:
+            is_motion = decision.verb is Verb.NEW_MOTION
+            return Reject(
+                who=who,
+                reason="path-unsafe" if is_motion else decision.reason,
+                detail=decision.detail,
+                step=decision.step,
+                decision=record,
+            )
+        case Verb.MISMATCH:
+            return Mismatch(
+                who=who, component=decision.component, detail=decision.detail, decision=record
+            )
+        case Verb.MANUAL:
+            target = ComponentId(decision.target)
+            return ByHand(who=who, target=target, effects=decision.effects, decision=record)
+        case Verb.ZONE:
+            return zone_wish(signed)
+        case _:
+            return None
+
+
+def zone_wish(signed: Signed) -> DrawZone | RemoveZone:
+    """Return what a decision about a zone wants."""
+    decision, who, record = signed.decision, signed.person.who, signed.record()
+    if decision.zone is None:
+        return RemoveZone(who=who, zone=ZoneId(decision.remove_zone), decision=record)
+    return DrawZone(
+        who=who,
+        size_m=decision.zone.size_m,
+        world_T_zone=decision.zone.world_T_zone,
+        decision=record,
+    )
+
+
+def _of_step(step: int, request: ApprovalRequest) -> Reply | None:
+    last = len(request.proposal.steps)
+    if step <= last:
+        return None
+    return refusal(422, "fields", f"The plan has steps 1 to {last}; there is no step {step}.")
+
+
+def _of_scope(signed: Signed, request: ApprovalRequest) -> Reply | None:
+    scope = signed.decision.scope
+    unknown = _of_step(scope.step, request)
+    if unknown is not None or scope.covers(request.next_step):
+        return unknown
+    what = "step" if scope.kind is ScopeKind.STEP else "part"
+    message = (
+        f"That {what} of the plan is not open; step {request.next_step} is next, "
+        "the ones before are done."
+    )
+    return refusal(409, "decided", message, next_step=request.next_step)
+
+
+def _of_clearance(signed: Signed, request: ApprovalRequest, policy: ApprovalPolicy) -> Reply | None:
+    if signed.person.role.may(Role.SUPERVISOR):
+        return None
+    scope, limit_m = signed.decision.scope, policy.supervisor_below_m
+    for step in request.proposal.steps:
+        closest_m = step.closest_distance_m
+        is_asked = step.number >= request.next_step and scope.covers(step.number)
+        if is_asked and closest_m is not None and closest_m < limit_m:
+            message = (
+                f"Only a supervisor may approve step {step.number}: clearance "
+                f"{closest_m * 1000.0:.0f} mm is under the policy's {limit_m * 1000.0:.0f} mm."
+            )
+            return refusal(403, "role", message, needs=Role.SUPERVISOR.value, step=step.number)
+    return None
+
+
+def _of_hand_work(signed: Signed, site: SiteState) -> Reply | None:
+    decision = signed.decision
+    possible = hand_facts(site).get(ComponentId(decision.target), ())
+    wrong = [e for e in decision.effects if e not in possible]
+    if not wrong:
+        return None
+    message = (
+        f"{wrong[0]} cannot be vouched for: the piece of {decision.target} must be sensed in "
+        "place, and the work must be open."
+    )
+    return refusal(422, "fields", message, possible=list(possible))

@@ -1,0 +1,64 @@
+"""Answers of the run in words, for the page."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from sitewright.central_controller.site_state import SiteState
+from sitewright.central_controller.steering import hand_facts
+from sitewright.foundation.canonical import Json
+from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.interaction_twin.decisions import Reply
+from sitewright.interaction_twin.labels import Labels
+from sitewright.interaction_twin.narration import narrate
+from sitewright.interaction_twin.phrases import Phrasebook
+from sitewright.robot_team.skill import SkillCall
+
+
+def ways_reply(
+    fingerprint: str, body: Mapping[str, Json], labels: Labels, book: Phrasebook
+) -> Reply:
+    """Return the other actions in words: those that are possible, and why the others are not."""
+    ways = body["ways"]
+    assert isinstance(ways, list)  # noqa: S101 -- our own process
+    feasible = [_told(w, labels, book) for w in ways if w["is_feasible"]]
+    infeasible = [_told(w, labels, book) for w in ways if not w["is_feasible"]]
+    found: dict[str, Json] = {
+        "fingerprint": fingerprint,
+        "step": body["step"],
+        "feasible": feasible,
+        "infeasible": infeasible,
+    }
+    return Reply(status=200, body=found)
+
+
+def _told(way: Mapping[str, Json], labels: Labels, book: Phrasebook) -> Json:
+    call = way["call"]
+    assert isinstance(call, Mapping)  # noqa: S101 -- our own process
+    arguments = call["arguments"]
+    assert isinstance(arguments, list)  # noqa: S101
+    skill_call = SkillCall(str(call["skill"]), RobotId(str(call["robot"])), tuple(arguments))
+    words = narrate(skill_call, labels, book)
+    facts = {**call, "words": words, "duration_s": way["duration_s"]}
+    if way["is_feasible"]:
+        return {**facts, "price_s": way["price_s"], "note": way["note"]}
+    return {**facts, "why_not": way["note"] or "It leads nowhere."}
+
+
+def by_hand_document(target: str, site: SiteState, labels: Labels) -> Mapping[str, Json] | None:
+    """Return the checklist of what a person can vouch for at a target; None if there is none."""
+    facts = hand_facts(site).get(ComponentId(target))
+    if facts is None:
+        return None
+    return {
+        "target": target,
+        "name": labels.name(target),
+        "effects": [{"fact": f, "words": _in_words(f, labels)} for f in facts],
+    }
+
+
+def _in_words(fact: str, labels: Labels) -> str:
+    name, subject = fact.strip("()").split()
+    if name == "standing":
+        return f"{labels.name(subject)} stands by itself"
+    return f"{labels.name(subject)} of {labels.name(labels.label(subject).of)} is done"
