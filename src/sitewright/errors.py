@@ -110,7 +110,7 @@ class Problem:
     @override
     def __str__(self) -> str:
         """Return the line that a person reads."""
-        source = f" [{self.source_id}]" if self.source_id else ""
+        source = f" [{self.source_id}]" if self.source_id not in {"", self.where} else ""
         said = f"{self.message} {self.fix}".rstrip()
         return f"{self.severity} {self.code} {self.where}{source}: {said}"
 

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner, Result
 
+from builders_foreign import BARS
 from builders_gltf import bodies_in, colour_of, document_in, facts_in
 from builders_history import built, wrote_run
 from sitewright.app.built_state import state_at
@@ -202,3 +203,23 @@ def test_a_patch_needs_the_file_that_the_project_was_imported_from(
 ) -> None:
     with pytest.raises(ProjectError, match=f"The {name} file that .* Name it with --original"):
         export(project, kind)
+
+
+@pytest.mark.parametrize(
+    ("ending", "start"), [(".json", b"{"), (".glb", b"glTF"), (".csv", b"id,")]
+)
+def test_the_ending_says_the_kind_if_no_option_does(
+    project: Path, tmp_path: Path, ending: str, start: bytes
+) -> None:
+    out = tmp_path / f"state{ending}"
+    exported(project, "-o", str(out))
+    assert out.read_bytes().startswith(start)
+    exported(project, "--csv", "-o", str(out))
+    assert out.read_bytes().startswith(b"id,")
+
+
+def test_a_project_of_another_kind_of_file_has_none_to_patch(tmp_path: Path) -> None:
+    (tmp_path / "a.json").write_bytes(BARS)
+    import_file(tmp_path / "a.json", tmp_path / "out")
+    with pytest.raises(ProjectError, match=r"imported from bar_frame, not from ifc: .*--gltf"):
+        export(tmp_path / "out", "--ifc")

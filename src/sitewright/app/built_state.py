@@ -97,7 +97,8 @@ def state_at(
     require_building(folder)
     model, problems = read_as_written(folder / BUILDING)
     errors = sum(p.severity == "E" for p in problems)
-    notes = [f"{BUILDING} has {errors} errors; `sitewright check` lists them."] if errors else []
+    noun = "error" if errors == 1 else "errors"
+    notes = [f"{BUILDING} has {errors} {noun}; `sitewright check` lists them."] if errors else []
     chain = _chain(folder / "runs", moment)
     if moment.run:
         then = kept_design(folder, fold_of(chain, site_of(model))[0].model_sha256)

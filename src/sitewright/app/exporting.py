@@ -133,6 +133,12 @@ def original_of(state: BuiltState, kind: FileKind) -> Path:
     Raises:
         ProjectError: Nothing of the model comes from a file of that kind, or it is gone.
     """
+    others = sorted({s.kind for s in state.as_built.sources} - {str(kind)})
+    if others and not any(True for _ in _sources(state, kind)):
+        raise ProjectError(
+            f"{state.folder} was imported from {', '.join(others)}, not from {kind}: there is no "
+            "file of that kind to write onto. Export --gltf, --csv or --json-model."
+        )
     names = {s.file for s in _sources(state, kind) if s.file}
     found = [p for n in sorted(names) for p in (Path(n), state.folder / n) if p.exists()]
     if not found:

@@ -101,7 +101,12 @@ def _say(out: Output, problems: Sequence[Problem], *, is_all: bool) -> None:
     fixable = sum(p.is_fixable for p in problems)
     mends = f" `sitewright check --fix` mends {fixable}." if fixable else ""
     folded = " --all lists each." if len(lines) < len(problems) else ""
-    out.line(f"{errors} errors, {len(problems) - errors} warnings.{mends}{folded}")
+    counts = f"{_counted(errors, 'error')}, {_counted(len(problems) - errors, 'warning')}"
+    out.line(f"{counts}.{mends}{folded}")
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def _document(problems: Sequence[Problem]) -> dict[str, Json]:
