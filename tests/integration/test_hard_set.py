@@ -9,6 +9,7 @@ import pytest
 from benchmarks.motion.generate import FAMILIES, made
 from benchmarks.motion.hard_set import stored_queries, stored_witness
 from benchmarks.motion.query import MotionQuery, from_plain, to_plain
+from benchmarks.motion.solvers.ours import Sitewright
 
 from sitewright.planning_twin.backends.audit.reproof import SeparatingPlanes
 from sitewright.planning_twin.backends.certifier import ConservativeAdvancement
@@ -59,6 +60,14 @@ def test_every_witness_is_in_a_narrow_place() -> None:
         wide = replace(query.scene, clearance_m=0.017)
         path = query.path(stored_witness(query))
         assert isinstance(PROVER.objection(wide, path), NotClear), query.name
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_our_planner_finds_a_path_that_holds_by_separating_planes(family: str) -> None:
+    query, *_ = stored_queries(family)[1:]
+    answer = Sitewright().solve(query, seed=0)
+    assert (answer.waypoints_rad[0], answer.waypoints_rad[-1]) == (query.start_rad, query.goal_rad)
+    assert faults(query, answer.waypoints_rad) == ()
 
 
 def test_a_query_made_anew_has_a_witness_that_holds() -> None:
