@@ -1,6 +1,6 @@
 """Seeded mutations of real design files through every reader: what is refused, accepted, unhandled.
 
-SITEWRIGHT_DATA=../shared/data .venv/bin/python benchmarks/fuzz_readers.py [SHARE] [SEED]
+SITEWRIGHT_DATA=DATA .venv/bin/python benchmarks/fuzz_readers.py [SHARE] [SEED] [READER ...]
 
 SHARE scales the number of inputs (1 = about 3,000). What is accepted must also be checked, be
 written as building.json and be read back. Unhandled inputs are kept in ./fuzz_unhandled.
@@ -87,11 +87,14 @@ def main() -> int:
     """Print a line per reader and return 0 if nothing was unhandled."""
     share = float(sys.argv[1]) if len(sys.argv) > 1 else 1.0
     seed = int(sys.argv[2]) if sys.argv[2:] else 1
+    wanted = sys.argv[3:] or [str(kind) for kind in COUNTS]
     print("| reader | inputs | refused | accepted | unhandled | worst CPU, s | worst memory, MB |")
     print("|---|--:|--:|--:|--:|--:|--:|")
     unhandled = 0
     with tempfile.TemporaryDirectory() as name:
         for kind, seeds in seeds_of(Path(name)).items():
+            if kind not in wanted:
+                continue
             figures = fuzzed(kind, seeds, int(COUNTS[kind] * share), seed, Path(name))
             unhandled += figures.outcomes[OTHER]
             told = " | ".join(str(n) for n in figures.outcomes)
