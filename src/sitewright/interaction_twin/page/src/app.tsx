@@ -11,7 +11,7 @@ import { AuditScreen, HealthScreen } from "./screens/records";
 import { Workspace } from "./screens/workspace";
 import { watchCode } from "./state/arming";
 import { startPage } from "./state/start";
-import { link, screen, session } from "./state/store";
+import { link, rehearsal, screen, session } from "./state/store";
 import { language, say } from "./words/words";
 
 function Page() {
@@ -38,12 +38,22 @@ function Page() {
 
 declare global {
   interface Window {
-    /** For tests: where a component is on the screen. */
-    __app: { project: (component: string) => { x: number; y: number } | null };
+    /** For tests: where a component is on the picture, what is shown, what would be played. */
+    __app: {
+      project: (component: string) => { x: number; y: number } | null;
+      postures: () => number[][];
+      pixels: () => string;
+      trajectories: () => string[];
+    };
   }
 }
 
-window.__app = { project: (component) => shownPicture()?.project(component) ?? null };
+window.__app = {
+  project: (component) => shownPicture()?.project(component) ?? null,
+  postures: () => shownPicture()?.postures() ?? [],
+  pixels: () => shownPicture()?.stage.pixels() ?? "",
+  trajectories: () => rehearsal.value?.hashes ?? [],
+};
 
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element with the id page");

@@ -10,6 +10,7 @@ export class Arm {
   readonly root = new Group();
   readonly body: Mechanism;
   isOffLimits = false;
+  joints: number[] = [];
 
   constructor(
     readonly record: RobotRecord,
@@ -32,6 +33,7 @@ export class Arm {
 
   /** Sets the posture; joints out of their limits are a fault that is shown. */
   setPosture(joints: ArrayLike<number>): void {
+    this.joints = Array.from(joints);
     this.isOffLimits = this.body.setJoints(joints).length > 0;
     this.root.updateMatrixWorld(true);
   }

@@ -28,6 +28,9 @@ const STALE: TeamLook = { arm: () => GREY, tool: GREY };
 const VEIL = veil(COLOUR.path, 0.32);
 const GHOST: TeamLook = { arm: () => VEIL, tool: VEIL };
 const PATH = bodyMaterial(COLOUR.path);
+const LIT = bodyMaterial(COLOUR.blocker);
+const REFUSED = veil(COLOUR.blocker, 0.35);
+const REFUSED_LOOK: TeamLook = { arm: () => REFUSED, tool: REFUSED };
 
 /** Holds the parts of the picture and puts them as it is told. */
 export class CellPicture {
@@ -43,6 +46,8 @@ export class CellPicture {
   private pieces: Pieces | null = null;
   private building: Pieces | null = null;
   private rehearsal: Rehearsal | null = null;
+  private refused: Readonly<Record<string, readonly number[]>> | null = null;
+  private litRobots: ReadonlySet<string> = new Set();
   private readonly path = new Mesh(undefined, PATH);
   private readonly draft = new Mesh(new BoxGeometry(1, 1, 1), veil(COLOUR.keepOut, 0.35));
   private mode: Mode = "now";
@@ -158,6 +163,23 @@ export class CellPicture {
     this.stage.ask();
   }
 
+  /** Shows robots as ghosts in a posture that was refused; null puts them away. */
+  setRefused(posture: Readonly<Record<string, readonly number[]>> | null): void {
+    this.refused = posture;
+    this.refresh();
+  }
+
+  /** Lights robots in the colour of what is in the way. */
+  setLitRobots(ids: ReadonlySet<string>): void {
+    this.litRobots = ids;
+    this.refresh();
+  }
+
+  /** Returns the posture of every robot that is shown as sensed, in the order of the scene. */
+  postures(): number[][] {
+    return this.scene?.robots.map((robot) => this.live?.arms.get(robot.id)?.joints ?? []) ?? [];
+  }
+
   /** Shows the keep-out zone that is being drawn. */
   setDraft(box: { centre: Vec3; size: Vec3 } | null): void {
     this.draft.visible = box !== null;
@@ -220,6 +242,7 @@ export class CellPicture {
     const isModel = this.mode === "target" || this.mode === "as-built";
     live.root.visible = !isPreview && !isModel;
     live.setLook(this.isStale ? STALE : SOLID);
+    if (!this.isStale) for (const id of this.litRobots) live.arms.get(id)?.body.setMaterial(LIT);
     rehearsed.setLook(isPreview ? SOLID : GHOST);
     rehearsed.root.traverse((node) => {
       node.castShadow = isPreview;
@@ -242,6 +265,14 @@ export class CellPicture {
       rehearsed.root.visible = true;
       rehearsal.pose(this.time_s, rehearsed, this.pieces);
       rehearsed.setShown(() => true);
+      return;
+    }
+    if (this.mode === "now" && this.refused !== null) {
+      rehearsed.setLook(REFUSED_LOOK);
+      rehearsed.setAsDocumented();
+      for (const [robot, joints] of Object.entries(this.refused)) rehearsed.setPosture(robot, joints);
+      rehearsed.setShown((robot) => this.refused !== null && robot in this.refused);
+      rehearsed.root.visible = true;
       return;
     }
     const isGhost = this.mode === "now" && rehearsal !== null && step !== null && step.motions.length > 0;

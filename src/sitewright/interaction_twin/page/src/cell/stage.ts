@@ -93,6 +93,12 @@ export class Stage {
     this.onDrawn();
   }
 
+  /** Returns the picture as a data address; drawn and read in one go, for tests. */
+  pixels(): string {
+    this.draw();
+    return this.canvas.toDataURL();
+  }
+
   /** Returns where a point of the site is on the page; null if it is behind the eye. */
   project(point: Vector3): { x: number; y: number } | null {
     const seen = point.clone().project(this.camera.eye);

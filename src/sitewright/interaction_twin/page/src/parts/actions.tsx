@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import { say, sayCount } from "../words/words";
 import { unseen, whyNotApprove } from "../state/arming";
 import { decide, hold, holdState, shownSentences, type Decision } from "../state/decisions";
-import { isReachable, may, proposal, run, screen, selectStep, selectedStep } from "../state/store";
+import { isReachable, may, panel, proposal, run, screen, selectStep, selectedStep } from "../state/store";
 import { OtherDialog } from "./other-dialog";
 import { RejectDialog } from "./reject-dialog";
 
@@ -45,6 +45,7 @@ function ResumeButton() {
 export function ActionBar() {
   const plan = proposal.value;
   if (plan === null || run.value?.phase !== "waiting") return <div class="acts" />;
+  if (screen.value !== "cell" || panel.value !== "plan") return <ShowPlan code={plan.code} />;
   const left = plan.steps.filter((s) => !s.is_done);
   const chosen = selectedStep.value !== null && left.some((s) => s.number === selectedStep.value) ? selectedStep.value : null;
   return (
@@ -65,6 +66,22 @@ export function ActionBar() {
       <ApproveButton scope={{ kind: "plan" }} until={Infinity} words={say("act.all")} note={sayCount("act.all.note", left.length)} isMain />
       {open.value === "reject" && <RejectDialog plan={plan} onClose={() => (open.value = "")} />}
       {open.value === "other" && <OtherDialog plan={plan} onClose={() => (open.value = "")} />}
+    </div>
+  );
+}
+
+/** A plan is decided where it can be read, and nowhere else. */
+function ShowPlan({ code }: { code: string }) {
+  const show = (): void => {
+    screen.value = "cell";
+    panel.value = "plan";
+  };
+  return (
+    <div class="acts">
+      <button type="button" onClick={show}>
+        <b>{say("act.show")}</b>
+        <small>{code}</small>
+      </button>
     </div>
   );
 }

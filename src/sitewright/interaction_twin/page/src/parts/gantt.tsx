@@ -27,7 +27,7 @@ export function Gantt({ bars, robots, end_s }: { bars: readonly GanttBar[]; robo
   const top = (robot: string): number => 4 + robots.findIndex((r) => r.id === robot) * (2 * LANE + GAP);
   const height = 4 + robots.length * (2 * LANE + GAP) + 18;
   return (
-    <div class="gantt" role="group" aria-label={say("gantt.label")} tabIndex={0}>
+    <div class="gantt" role="group" aria-label={say("gantt.label")} tabIndex={0} onKeyDown={(event) => walk(event, bars)}>
       <svg viewBox={`0 0 ${WIDTH} ${height}`} preserveAspectRatio="none" height={height} aria-hidden="true">
         {robots.map((robot) => (
           <rect key={robot.id} x={0} y={top(robot.id)} width={WIDTH} height={2 * LANE} class="lane" rx="3" />
@@ -54,14 +54,25 @@ export function Gantt({ bars, robots, end_s }: { bars: readonly GanttBar[]; robo
   );
 }
 
+/** Left and right go from step to step. */
+function walk(event: KeyboardEvent, bars: readonly GanttBar[]): void {
+  const by = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+  const steps = bars.filter((bar) => bar.step !== null && !bar.isActual);
+  if (by === 0 || steps.length === 0) return;
+  event.preventDefault();
+  const at = steps.findIndex((bar) => bar.step === selectedStep.value);
+  choose(steps[Math.min(Math.max(at + by, 0), steps.length - 1)]);
+}
+
+function choose(bar: GanttBar | undefined): void {
+  if (bar?.step == null) return;
+  selectStep(bar.step);
+  if (mode.value === "preview") setTime(bar.starts_s);
+}
+
 function Box({ bar, x, y, width }: { bar: GanttBar; x: number; y: number; width: number }): JSX.Element {
   const colour = robotColour(bar.robotNumber - 1);
   const isSelected = bar.step !== null && bar.step === selectedStep.value;
-  const choose = (): void => {
-    if (bar.step === null) return;
-    selectStep(bar.step);
-    if (mode.value === "preview") setTime(bar.starts_s);
-  };
   return (
     <rect
       x={x + 0.5}
@@ -76,7 +87,7 @@ function Box({ bar, x, y, width }: { bar: GanttBar; x: number; y: number; width:
       vector-effect="non-scaling-stroke"
       class={bar.step === null ? "" : "pick"}
       data-bar={bar.step ?? undefined}
-      onClick={choose}
+      onClick={() => choose(bar)}
     >
       <title>{bar.words}</title>
     </rect>

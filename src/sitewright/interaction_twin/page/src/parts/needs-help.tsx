@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { decide } from "../state/decisions";
 import { ask } from "../state/server";
-import { blockers, isReachable, labelOf, may, mode, proposal, run } from "../state/store";
+import { blockers, isReachable, labelOf, may, mode, proposal, refusedPosture, run } from "../state/store";
 import type { Option, Question, Trouble } from "../wire";
 import { inNumbers, say, sayWord } from "../words/words";
 import { Dialog } from "./dialog";
@@ -13,6 +13,7 @@ export function NeedsHelp() {
   const ids = trouble.flatMap((t) => [...(t.pair ?? []), ...t.blockers]).map((id) => id.split("/")[0] ?? id);
   useEffect(() => {
     blockers.value = [...new Set(ids)];
+    refusedPosture.value = null;
   }, [ids.join(" ")]);
   if (state === null || (state.question === null && trouble.length === 0)) return null;
   return (
@@ -58,7 +59,7 @@ function Stuck({ trouble }: { trouble: Trouble }) {
       {first !== undefined && second !== undefined && <p class="pair">{say("help.pair", { first: labelOf(first), second: labelOf(second) })}</p>}
       <div class="buttons">
         {blockers.value.length > 0 && (
-          <button type="button" onClick={() => (mode.value = "now")}>
+          <button type="button" aria-pressed={refusedPosture.value !== null} onClick={() => show(trouble)}>
             {say("help.show")}
           </button>
         )}
@@ -75,6 +76,12 @@ function Stuck({ trouble }: { trouble: Trouble }) {
       {isManual && <ManualDialog target={trouble.target} name={trouble.name} onClose={() => setManual(false)} />}
     </div>
   );
+}
+
+/** Shows who is in the way, in the posture in which it was seen if that is known. */
+function show(trouble: Trouble): void {
+  mode.value = "now";
+  refusedPosture.value = refusedPosture.value === null ? (trouble.posture ?? null) : null;
 }
 
 function OptionButton({ option }: { option: Option }) {

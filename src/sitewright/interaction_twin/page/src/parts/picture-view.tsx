@@ -15,6 +15,7 @@ import {
   lockedIds,
   mode,
   piecePoses,
+  refusedPosture,
   rehearsal,
   run,
   scene,
@@ -152,6 +153,8 @@ function attach(canvas: HTMLCanvasElement, frame: HTMLElement): () => void {
     followScreen(made),
     effect(() => filter(made)),
     effect(() => made.setLit(lit())),
+    effect(() => made.setLitRobots(new Set(blockers.value))),
+    effect(() => made.setRefused(refusedPosture.value)),
     effect(() => made.setRehearsal(rehearsal.value)),
     effect(() => {
       void rehearsal.value;

@@ -15,10 +15,12 @@ export function PlanPanel() {
     <div class="plan">
       <NeedsHelp />
       <ResultBox />
-      {plan === null ? <NoPlan /> : <Plan plan={plan} />}
+      {plan !== null ? <Plan plan={plan} /> : isTrouble() ? null : <NoPlan />}
     </div>
   );
 }
+
+const isTrouble = (): boolean => run.value?.question != null || (run.value?.trouble ?? []).length > 0;
 
 function Plan({ plan }: { plan: Proposal }) {
   return (

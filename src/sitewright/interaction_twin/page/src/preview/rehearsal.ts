@@ -47,6 +47,11 @@ export class Rehearsal {
     this.readPieces(team);
   }
 
+  /** The trajectories that are played, by the hash of the bytes that came. */
+  get hashes(): string[] {
+    return this.motions.map((motion) => this.trajectories.get(motion.trajectory)?.sha256 ?? "");
+  }
+
   /** Returns the joints of a robot at a time. */
   postureAt(robot: string, time_s: number): readonly number[] {
     const own = this.motions.filter((motion) => motion.robot === robot);

@@ -29,6 +29,8 @@ export const seenSteps = signal<ReadonlySet<number>>(new Set());
 export const hiddenIds = signal<ReadonlySet<string>>(new Set());
 export const lockedIds = signal<ReadonlySet<string>>(new Set());
 export const blockers = signal<readonly string[]>([]);
+/** Joints by robot at a refused moment that is looked at. */
+export const refusedPosture = signal<Readonly<Record<string, readonly number[]>> | null>(null);
 
 export const rehearsal = signal<Rehearsal | null>(null);
 export const rehearsalTrouble = signal("");

@@ -50,6 +50,7 @@ export const en = {
   "act.all": "Approve all",
   "act.all.note.one": "{count} step",
   "act.all.note.other": "{count} steps",
+  "act.show": "Show the plan",
   "act.cancel": "Cancel",
   "act.close": "Close",
   "act.send": "Send",

@@ -51,6 +51,7 @@ export const es: Words = {
   "act.all": "Aprobar todo",
   "act.all.note.one": "{count} paso",
   "act.all.note.other": "{count} pasos",
+  "act.show": "Ver el plan",
   "act.cancel": "Cancelar",
   "act.close": "Cerrar",
   "act.send": "Enviar",

@@ -51,6 +51,7 @@ export const zh: Words = {
   "act.all": "全部批准",
   "act.all.note.one": "{count} 步",
   "act.all.note.other": "{count} 步",
+  "act.show": "查看方案",
   "act.cancel": "取消",
   "act.close": "关闭",
   "act.send": "发送",
