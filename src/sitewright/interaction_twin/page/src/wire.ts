@@ -55,7 +55,7 @@ export interface EndEffectorRecord {
 export interface BodyRecord {
   id: string;
   name: string;
-  geometry: string;
+  geometry: string | null;
   world_T: Pose;
   by?: string;
 }
@@ -80,7 +80,7 @@ export interface ComponentRecord {
   group: string;
   order: number | null;
   geometry: string | null;
-  world_T: Pose;
+  world_T: Pose | null;
   parents: string[];
   waits_for: string[];
   accessible: boolean;
@@ -117,46 +117,57 @@ export interface Edit {
 }
 
 export interface MotionRecord {
-  trajectory: string;
+  trajectory_sha256: string;
   robot: string;
   starts_s: number;
   duration_s: number;
   closest_distance_m: number | null;
-  closest_pair: string[] | null;
+  closest_pair: string[];
   after: Edit[];
 }
 
 export type StepStatus = "open" | "running" | "done" | "not done" | "superseded";
 
+/** What hangs on a robot's tip. */
+export interface Held {
+  piece: string;
+}
+
+/** What one plan says and the one before it did not. */
+export interface Difference {
+  kind: "target" | "removed" | "added" | "motion";
+  words: string;
+  step?: number;
+}
+
 export interface StepRecord {
   number: number;
   skill: string;
   robot: string;
-  robot_label: string;
+  robot_name: string;
   arguments: string[];
   words: string;
-  reason: string;
+  why: string;
   is_done: boolean;
   status: StepStatus;
   starts_s: number;
   duration_s: number;
   closest_distance_m: number | null;
-  closest_pair: string[] | null;
-  closest_labels: string[] | null;
-  is_flagged: boolean;
+  closest_pair: string[];
+  closest_names: string[];
   flags: string[];
-  picks: string | null;
-  places: string | null;
+  holds_before: Held | null;
+  holds_after: Held | null;
   motions: MotionRecord[];
 }
 
 export interface Proposal {
-  open: true;
+  open: boolean;
   fingerprint: string;
   code: string;
   run: string;
   target: string;
-  target_label: string;
+  target_name: string;
   title: string;
   is_single: boolean;
   next_step: number;
@@ -167,11 +178,12 @@ export interface Proposal {
   closest_distance_m: number | null;
   summary: string[];
   decided: { who: string; verb: string; at_ms: number } | null;
-  changed: { since: string; lines: string[] } | null;
+  previous_code: string;
+  differences: Difference[];
   steps: StepRecord[];
 }
 
-export type NoProposal = { open: null; phase: Phase; reason: string };
+export type NoProposal = { open: null; fingerprint?: undefined; phase: Phase; reason: string };
 
 export type Phase =
   | "idle"
@@ -246,7 +258,6 @@ export interface Call {
 }
 
 export interface OtherWay extends Call {
-  id: string;
   words: string;
   duration_s: number;
   price_s: number | null;
@@ -284,7 +295,7 @@ export interface Refusal {
   error: string;
   message: string;
   open?: { fingerprint: string; code: string } | null;
-  changed?: string[];
+  changed?: Difference[];
   why?: string;
   who?: string;
   verb?: string;

@@ -97,7 +97,7 @@ export class CellPicture {
   }
 
   get sensedPoses(): ReadonlyMap<string, Matrix4> {
-    const documented = this.scene?.components.map((c) => [c.id, matrixOf(c.world_T)] as const) ?? [];
+    const documented = this.scene?.components.flatMap((c) => (c.world_T === null ? [] : [[c.id, matrixOf(c.world_T)] as const])) ?? [];
     return new Map([...documented, ...this.sensed]);
   }
 
@@ -118,7 +118,7 @@ export class CellPicture {
     const documented = new Map(this.scene?.components.map((c) => [c.id, c]));
     for (const id of gone) {
       const record = documented.get(id);
-      if (record !== undefined) this.pieces?.setPose(id, matrixOf(record.world_T));
+      if (record?.world_T != null) this.pieces?.setPose(id, matrixOf(record.world_T));
     }
     for (const [id, pose] of poses) this.pieces?.setPose(id, pose);
     this.stage.ask();
@@ -335,13 +335,13 @@ function isOfMode(component: ComponentRecord, mode: Mode): boolean {
 function boundsOf(scene: Scene): Box3 {
   const bounds = new Box3();
   for (const robot of scene.robots) bounds.expandByPoint(new Vector3(...robot.world_T_base.p_m));
-  for (const component of scene.components) bounds.expandByPoint(new Vector3(...component.world_T.p_m));
+  for (const { world_T } of scene.components) if (world_T !== null) bounds.expandByPoint(new Vector3(...world_T.p_m));
   return bounds;
 }
 
 function boxOf(components: readonly ComponentRecord[]): Box3 {
   const box = new Box3();
-  for (const component of components) box.expandByPoint(new Vector3(...component.world_T.p_m));
+  for (const { world_T } of components) if (world_T !== null) box.expandByPoint(new Vector3(...world_T.p_m));
   return box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box.expandByScalar(1.0);
 }
 

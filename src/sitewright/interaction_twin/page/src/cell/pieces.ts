@@ -28,7 +28,7 @@ export class Pieces {
   constructor(components: readonly ComponentRecord[], shapes: Shapes) {
     const groups = new Map<string, ComponentRecord[]>();
     for (const component of components) {
-      if (component.geometry === null) continue;
+      if (component.geometry === null || component.world_T === null) continue;
       const name = `${lookOf(component)}/${component.geometry}`;
       groups.set(name, [...(groups.get(name) ?? []), component]);
     }
@@ -92,7 +92,7 @@ export class Pieces {
     const batch = { mesh, members };
     members.forEach((member, index) => {
       this.slots.set(member.id, { batch, index });
-      this.poses.set(member.id, matrixOf(member.world_T));
+      if (member.world_T !== null) this.poses.set(member.id, matrixOf(member.world_T));
       this.place(member.id);
       this.paint(member.id);
     });

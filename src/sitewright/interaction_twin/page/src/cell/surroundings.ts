@@ -28,6 +28,7 @@ export function surroundings(scene: Scene, shapes: Shapes): Group {
   const floor = bodyMaterial(COLOUR.floor);
   const line = new LineBasicMaterial({ color: "#8d938f", transparent: true, opacity: 0.5 });
   for (const fixture of scene.fixtures) {
+    if (fixture.geometry === null) continue;
     const mesh = new Mesh(shapes.solid(fixture.geometry), isFloor(fixture.id) ? floor : body);
     mesh.receiveShadow = true;
     mesh.castShadow = !isFloor(fixture.id);
@@ -39,6 +40,7 @@ export function surroundings(scene: Scene, shapes: Shapes): Group {
   const hatch = hatched(COLOUR.keepOut, scene.ground_z_m);
   const rim = new LineBasicMaterial({ color: COLOUR.keepOut, transparent: true, opacity: 0.35 });
   for (const zone of scene.zones) {
+    if (zone.geometry === null) continue;
     const mesh = new Mesh(shapes.solid(zone.geometry), hatch);
     mesh.renderOrder = 3;
     const group = new Group().add(mesh, new LineSegments(shapes.edge(zone.geometry), rim));

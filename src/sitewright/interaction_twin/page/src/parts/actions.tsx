@@ -8,13 +8,16 @@ import { isReachable, may, panel, proposal, run, screen, selectStep, selectedSte
 import { OtherDialog } from "./other-dialog";
 import { RejectDialog } from "./reject-dialog";
 
+/** Phases in which nothing starts before somebody says so. */
+const RESTING: ReadonlySet<string> = new Set(["held", "idle", "needs-help", "broken"]);
+
 type Scope = NonNullable<Decision["scope"]>;
 const open = signal<"" | "reject" | "other">("");
 
 /** Hold comes first in the order of keys, and is there on every screen. */
 export function HoldButton() {
   const state = holdState.value;
-  const isHeld = run.value?.phase === "held" || run.value?.phase === "idle";
+  const isHeld = RESTING.has(run.value?.phase ?? "");
   return (
     <div class="hold-area">
       {isHeld ? (
@@ -100,13 +103,14 @@ function ApproveButton({ scope, until, words, note, isMain = false }: ApprovePro
   const look = why === "" && scope !== null ? unseen(until) : null;
   const hint = why || (look === null ? note : say("wait.flagged", { number: look }));
   const isOff = why !== "" || scope === null;
+  const nextStep = proposal.value?.next_step ?? 0;
   const act = (fingerprint: string): void => {
     if (isOff) return;
     if (look !== null) {
       screen.value = "cell";
       selectStep(look);
     } else {
-      void decide({ fingerprint, verb: "approve", scope, shown: shownSentences() });
+      void decide({ fingerprint, verb: "approve", next_step: nextStep, scope, shown: shownSentences() });
     }
   };
   return (

@@ -29,7 +29,7 @@ export function OtherDialog({ plan, onClose }: { plan: Proposal; onClose: () => 
       {ways?.feasible.length === 0 && <p>{say("other.none")}</p>}
       <ul class="ways">
         {ways?.feasible.map((way) => (
-          <li key={way.id}>
+          <li key={way.words}>
             <div>
               {way.words}
               <small>

@@ -203,8 +203,8 @@ function filter(made: CellPicture): void {
 function lit(): Map<string, string> {
   const found = new Map(blockers.value.map((id) => [id, COLOUR.blocker] as [string, string]));
   const chosen = step.value;
-  const touched = chosen === null || run.value?.phase === "finished" ? [] : [...chosen.arguments, chosen.picks, chosen.places];
-  for (const id of touched) if (id !== null && !found.has(id)) found.set(id, COLOUR.selected);
+  const touched = chosen === null || run.value?.phase === "finished" ? [] : [...chosen.arguments, chosen.holds_before?.piece, chosen.holds_after?.piece];
+  for (const id of touched) if (id !== undefined && !found.has(id)) found.set(id, COLOUR.selected);
   if (selectedComponent.value !== null) found.set(selectedComponent.value, COLOUR.selected);
   return found;
 }

@@ -1,8 +1,7 @@
 // The open plan in plain words: what it is, what changed, and its steps.
 import { useEffect, useRef } from "preact/hooks";
-import { hasDifferences, noteDifferencesShown } from "../state/arming";
-import { result } from "../state/decisions";
-import { asked, proposal, run } from "../state/store";
+import { noteDifferencesShown } from "../state/arming";
+import { asked, proposal, result, run } from "../state/store";
 import type { Proposal } from "../wire";
 import { inMillimetres, inSeconds, say, sayCount } from "../words/words";
 import { NeedsHelp } from "./needs-help";
@@ -52,6 +51,8 @@ function Fact({ name, value }: { name: string; value: preact.ComponentChildren }
   );
 }
 
+const SIGN = { target: "→", removed: "−", added: "+", motion: "~" } as const;
+
 /** What is different from the plan that was seen before; Approve waits until this was on the screen. */
 function Differences({ plan }: { plan: Proposal }) {
   const box = useRef<HTMLElement>(null);
@@ -65,16 +66,17 @@ function Differences({ plan }: { plan: Proposal }) {
     }, { threshold: 0.25 });
     watcher.observe(element);
     return () => watcher.disconnect();
-  }, [plan.fingerprint, isStale]);
-  if (!hasDifferences(plan.changed) || plan.changed === null) return null;
-  const { since, lines } = plan.changed;
+  }, [plan.fingerprint, isStale, plan.differences.length]);
+  const { differences, previous_code: since } = plan;
+  if (differences.length === 0) return null;
   return (
     <section class="differences" ref={box} tabIndex={-1} aria-label={say("plan.changed.none")}>
       <h3>{since === "" ? say("plan.changed.none") : say("plan.changed", { code: since })}</h3>
       <ul>
-        {lines.map((line, index) => (
-          <li key={index} class={line.startsWith("-") ? "gone" : line.startsWith("+") ? "new" : ""}>
-            {line}
+        {differences.map((difference, index) => (
+          <li key={index} class={difference.kind}>
+            <span aria-hidden="true">{SIGN[difference.kind]}</span> {difference.step !== undefined && `${difference.step}. `}
+            {difference.words}
           </li>
         ))}
       </ul>

@@ -1,5 +1,5 @@
 // What became of the last answer.
-import { result } from "../state/decisions";
+import { result } from "../state/store";
 import { say } from "../words/words";
 
 export function ResultBox() {
@@ -26,8 +26,8 @@ export function ResultBox() {
       <p>{refusal.open == null ? say("stale.none") : say("stale.open", { code: refusal.open.code })}</p>
       {(refusal.changed ?? []).length > 0 && (
         <ul>
-          {refusal.changed?.map((line, index) => (
-            <li key={index}>{line}</li>
+          {refusal.changed?.map((difference, index) => (
+            <li key={index}>{difference.words}</li>
           ))}
         </ul>
       )}

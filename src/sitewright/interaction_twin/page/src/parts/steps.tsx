@@ -26,15 +26,15 @@ function Step({ step, plan }: { step: StepRecord; plan: Proposal }) {
   }, [isSelected]);
   const isRunning = run.value?.running?.step === step.number && run.value.running.fingerprint === plan.fingerprint;
   const status = isRunning ? "running" : step.is_done ? "done" : step.status;
-  const needsLook = step.is_flagged && !step.is_done;
+  const needsLook = step.flags.length > 0 && !step.is_done;
   return (
     <li ref={row} class={`step ${status.replace(" ", "-")} ${isSelected ? "selected" : ""} ${needsLook ? "flagged" : ""}`} data-step={step.number}>
       <button type="button" class="row" aria-expanded={isSelected} onClick={() => selectStep(isSelected ? null : step.number)}>
         <span class="number">{step.number}</span>
         <RobotBadge robot={step.robot} />
         <span class="words">
-          {step.robot_label} {step.words}
-          {step.reason !== "" && <small>{step.reason}</small>}
+          {step.robot_name} {step.words}
+          {step.why !== "" && <small>{step.why}</small>}
           {needsLook && (
             <small class="flag">
               ⚠ {step.flags.join(" ")} {seenSteps.value.has(step.number) ? say("step.seen") : say("step.look")}
@@ -68,7 +68,7 @@ function Details({ step, plan }: { step: StepRecord; plan: Proposal }) {
     const answer = await ask<{ lines: string[] }>(path).catch((error: Error) => ({ lines: [say("failed", { reason: error.message })] }));
     setWhy(answer.lines);
   };
-  const [first, second] = step.closest_labels ?? [];
+  const [first, second] = step.closest_names;
   const canMove = step.motions.length > 0 && !step.is_done && may("new-motion");
   return (
     <div class="details">

@@ -24,7 +24,6 @@ interface ToolKey {
 export interface StartOfPlan {
   postures: ReadonlyMap<string, readonly number[]>;
   poses: ReadonlyMap<string, Matrix4>;
-  gripped: ReadonlyMap<string, string>;
 }
 
 /** Knows the whole plan as keys over time; `pose` puts a team and its pieces to one moment. */
@@ -49,7 +48,7 @@ export class Rehearsal {
 
   /** The trajectories that are played, by the hash of the bytes that came. */
   get hashes(): string[] {
-    return this.motions.map((motion) => this.trajectories.get(motion.trajectory)?.sha256 ?? "");
+    return this.motions.map((motion) => this.trajectories.get(motion.trajectory_sha256)?.sha256 ?? "");
   }
 
   /** Returns the joints of a robot at a time. */
@@ -57,7 +56,7 @@ export class Rehearsal {
     const own = this.motions.filter((motion) => motion.robot === robot);
     const begun = own.filter((motion) => motion.starts_s <= time_s + 1e-9).at(-1);
     const motion = begun ?? own[0];
-    const trajectory = motion === undefined ? undefined : this.trajectories.get(motion.trajectory);
+    const trajectory = motion === undefined ? undefined : this.trajectories.get(motion.trajectory_sha256);
     if (motion === undefined || trajectory === undefined) return this.start.postures.get(robot) ?? [];
     return positionsAt(trajectory, begun === undefined ? 0 : time_s - motion.starts_s);
   }
@@ -91,11 +90,16 @@ export class Rehearsal {
   }
 
   private readPieces(team: Team): void {
-    for (const [robot, piece] of this.start.gripped) this.hang(0, robot, piece, team);
+    const held = new Map<string, string>();
     for (const step of this.proposal.steps) {
+      const before = step.holds_before?.piece;
+      if (before !== undefined && held.get(step.robot) !== before) this.hang(step.starts_s, step.robot, before, team);
+      const after = step.holds_after?.piece;
       const end_s = step.starts_s + step.duration_s;
-      if (step.picks !== null) this.hang(end_s, step.robot, step.picks, team);
-      if (step.places !== null) this.lay(end_s, step.robot, step.places, team);
+      if (after !== undefined && after !== before) this.hang(end_s, step.robot, after, team);
+      if (after === undefined && before !== undefined) this.lay(end_s, step.robot, before, team);
+      if (after === undefined) held.delete(step.robot);
+      else held.set(step.robot, after);
     }
   }
 
@@ -126,7 +130,6 @@ function poseOf(key: PieceKey, team: Team): Matrix4 {
 export function documentedStart(scene: Scene): StartOfPlan {
   return {
     postures: new Map(scene.robots.map((robot) => [robot.id, robot.q_rad])),
-    poses: new Map(scene.components.map((component) => [component.id, matrixOf(component.world_T)])),
-    gripped: new Map(scene.robots.flatMap((robot) => (robot.gripped === null ? [] : [[robot.id, robot.gripped] as const]))),
+    poses: new Map(scene.components.flatMap((c) => (c.world_T === null ? [] : [[c.id, matrixOf(c.world_T)] as const]))),
   };
 }

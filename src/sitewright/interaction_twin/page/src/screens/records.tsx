@@ -1,6 +1,7 @@
 // Audit and health: tables of what the server says.
 import { useEffect, useState } from "preact/hooks";
 import { ask } from "../state/server";
+import { checkCode } from "../state/check-code";
 import { atTime, inNumbers, inSeconds, say, sayCount, sayWord } from "../words/words";
 
 interface Entry {
@@ -10,10 +11,14 @@ interface Entry {
   who: string;
   role: string;
   verb: string;
-  code: string;
   words: string;
   shown: string[];
-  detail: string;
+  detail: { fingerprint?: string; approval?: { fingerprint: string } };
+}
+
+function codeOf(entry: Entry): string {
+  const fingerprint = entry.detail.fingerprint ?? entry.detail.approval?.fingerprint ?? "";
+  return fingerprint === "" ? "" : checkCode(fingerprint);
 }
 
 function useAnswer<T>(path: string): [T | null, string] {
@@ -55,7 +60,7 @@ export function AuditScreen() {
                   {entry.who} <span class="soft">{entry.role}</span>
                 </td>
                 <td>
-                  {entry.words} {entry.detail !== "" && <span class="soft">{entry.detail}</span>}
+                  {entry.words}
                   {(entry.shown ?? []).length > 0 && (
                     <details>
                       <summary>{say("audit.seen")}</summary>
@@ -68,7 +73,7 @@ export function AuditScreen() {
                   )}
                 </td>
                 <td>
-                  <code>{entry.code}</code>
+                  <code>{codeOf(entry)}</code>
                 </td>
               </tr>
             ))}
@@ -83,7 +88,7 @@ interface Health {
   server: { version: string; uptime_s: number; clients: number };
   run: { phase: string; pid: number | null; is_alive: boolean };
   cell: { state: string; age_ms: number | null };
-  journal: { run: string; n: number; is_whole: boolean };
+  journal: { run: string; n: number; is_whole?: boolean };
   disk_free_bytes: number;
 }
 
@@ -98,13 +103,18 @@ export function HealthScreen() {
           <Line name={say("health.server")} isGood words={`${health.server.version}, ${say("health.uptime", { seconds: inNumbers(health.server.uptime_s) })}, ${sayCount("health.clients", health.server.clients)}`} />
           <Line name={say("health.run")} isGood={health.run.is_alive} words={`${sayWord("phase", health.run.phase)}, ${health.run.is_alive ? say("health.alive") : say("health.dead")}`} />
           <Line name={say("health.cell")} isGood={health.cell.state === "live"} words={health.cell.age_ms === null ? say("link.absent") : `${say("link.live")}, ${inSeconds(health.cell.age_ms / 1000)}`} />
-          <Line name={say("health.journal")} isGood={health.journal.is_whole} words={`${health.journal.run} #${health.journal.n}, ${health.journal.is_whole ? say("health.whole") : say("health.not-whole")}`} />
+          <Line name={say("health.journal")} isGood={health.journal.is_whole !== false} words={journalWords(health.journal)} />
           <Line name={say("health.disk")} isGood={health.disk_free_bytes > 1e9} words={`${inNumbers(health.disk_free_bytes / 1e9, 1)} GB`} />
           <Line name={say("health.page")} isGood words={say("health.frame", { ms: inNumbers(window.__m.cost.js_ms, 1), calls: window.__m.cost.calls })} />
         </dl>
       )}
     </div>
   );
+}
+
+function journalWords({ run, n, is_whole }: Health["journal"]): string {
+  const place = `${run} #${n}`;
+  return is_whole === undefined ? place : `${place}, ${is_whole ? say("health.whole") : say("health.not-whole")}`;
 }
 
 function Line({ name, words, isGood }: { name: string; words: string; isGood: boolean }) {

@@ -22,7 +22,7 @@ const trouble = signal("");
 
 export function RunsPanel() {
   useEffect(() => {
-    ask<{ runs: RunLine[] }>("/api/runs").then((answer) => (lines.value = [...answer.runs].reverse()), fail);
+    ask<{ runs: RunLine[] }>("/api/runs").then((answer) => (lines.value = answer.runs), fail);
     return () => {
       replayed.value = null;
       mode.value = "now";

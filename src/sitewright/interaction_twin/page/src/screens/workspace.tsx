@@ -70,8 +70,7 @@ function Schedule() {
   const plan = replayed.value ?? proposal.value;
   const robots = scene.value?.robots ?? [];
   const bars = [...(plan === null ? [] : planned(plan)), ...(replayed.value === null ? actual.value : [])];
-  if (bars.length === 0) return null;
-  return <Gantt bars={bars} robots={robots} end_s={Math.max(...bars.map((b) => b.starts_s + b.duration_s))} />;
+  return <Gantt bars={bars} robots={robots} end_s={Math.max(10, ...bars.map((b) => b.starts_s + b.duration_s))} />;
 }
 
 function planned(plan: Proposal): GanttBar[] {
@@ -83,7 +82,7 @@ function planned(plan: Proposal): GanttBar[] {
       robotNumber: robotNumber(s.robot),
       starts_s: s.starts_s,
       duration_s: s.duration_s,
-      words: `${s.number}. ${s.robot_label} ${s.words}`,
+      words: `${s.number}. ${s.robot_name} ${s.words}`,
       step: s.number,
       isActual: false,
       isDone: s.is_done,

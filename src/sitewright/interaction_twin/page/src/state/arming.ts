@@ -38,17 +38,13 @@ export const whyNotApprove = computed<string>(() => {
   if (!may("approve")) return say("role.lacks", { role: session.value?.role ?? "" });
   if (isSending.value) return say("wait.busy");
   if (clock.value < restsUntil.value) return say("wait.changed");
-  if (hasDifferences(plan.changed) && differencesShown.value !== plan.fingerprint) return say("wait.differences");
+  if (plan.differences.length > 0 && differencesShown.value !== plan.fingerprint) return say("wait.differences");
   return "";
 });
-
-export function hasDifferences(changed: { lines: string[] } | null): boolean {
-  return changed !== null && changed.lines.length > 0;
-}
 
 /** Returns the first step up to `until` that demands a look and has had none. */
 export function unseen(until: number): number | null {
   const plan = proposal.value;
-  const flagged = plan?.steps.filter((s) => s.is_flagged && !s.is_done && s.number <= until) ?? [];
+  const flagged = plan?.steps.filter((s) => s.flags.length > 0 && !s.is_done && s.number <= until) ?? [];
   return flagged.find((s) => !seenSteps.value.has(s.number))?.number ?? null;
 }

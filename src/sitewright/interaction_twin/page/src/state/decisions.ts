@@ -1,14 +1,15 @@
 // Answers of people: bound to what was on the screen, sent once, never queued.
 import { signal } from "@preact/signals";
 import { language, say } from "../words/words";
-import type { Call, Refusal } from "../wire";
+import type { Call } from "../wire";
 import { ask, NoAnswerError, RefusedError } from "./server";
 import { loadProposal } from "./start";
-import { isReachable, proposal } from "./store";
+import { isReachable, proposal, result, type Result } from "./store";
 
 export interface Decision {
   fingerprint: string;
   verb: string;
+  next_step?: number;
   scope?: { kind: "plan" | "until" | "step"; step?: number };
   reason?: string;
   detail?: string;
@@ -26,14 +27,7 @@ export interface Decision {
 
 type Sent = Decision & { key: string; lang: string };
 
-export type Result =
-  | { kind: "recorded"; words: string }
-  | { kind: "stale"; refusal: Refusal }
-  | { kind: "refused"; words: string }
-  | { kind: "unknown"; again: () => Promise<void> };
-
 export const isSending = signal(false);
-export const result = signal<Result | null>(null);
 
 interface Recorded {
   ok: boolean;
@@ -85,7 +79,7 @@ function failed(error: unknown, body: Sent): Result {
 export function shownSentences(): string[] {
   const plan = proposal.value;
   if (plan === null) return [];
-  return [plan.title, ...plan.steps.map((s) => `${s.number}. ${s.robot_label} ${s.words}`)];
+  return [plan.title, ...plan.steps.map((s) => `${s.number}. ${s.robot_name} ${s.words}`)];
 }
 
 export const holdState = signal<"" | "sent" | "failed">("");

@@ -21,7 +21,7 @@ function trajectory(sha256: string): Promise<Trajectory> {
 
 /** Makes a rehearsal of a plan from the bytes that its fingerprint names. */
 export async function rehearse(plan: Proposal, picture: CellPicture): Promise<Rehearsal> {
-  const hashes = [...new Set(plan.steps.flatMap((s) => s.motions.map((m) => m.trajectory)))];
+  const hashes = [...new Set(plan.steps.flatMap((s) => s.motions.map((m) => m.trajectory_sha256)))];
   const found = new Map(await Promise.all(hashes.map(async (hash) => [hash, await trajectory(hash)] as const)));
   const { team } = picture;
   if (scene.value === null || team === null) throw new Error("there is no scene yet");

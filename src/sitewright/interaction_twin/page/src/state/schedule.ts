@@ -1,53 +1,60 @@
-// What really ran of the open plan, on the plan's own clock.
+// What really ran of the open plan, beside what was planned, on the cell's clock.
 import { computed } from "@preact/signals";
 import type { GanttBar } from "../parts/gantt";
-import { events, proposal, robotNumber, run } from "./store";
+import type { RunEvent, StepRecord } from "../wire";
+import { events, proposal, robotNumber } from "./store";
 
-interface Started {
+interface Intent {
+  command_id: string;
+  fingerprint: string;
   step: number;
-  robot: string;
-  at_ms: number;
 }
 
-/** Bars of the steps that were started since the page knows of them. */
+interface Outcome {
+  command_id: string;
+  report: { is_done: boolean; duration_s: number };
+}
+
+/** Bars of the steps that have ended since this page was opened, one after the other as they were started. */
 export const actual = computed<readonly GanttBar[]>(() => {
   const plan = proposal.value;
   if (plan === null) return [];
-  const started = new Map<string, Started>();
+  const stepByCommand = new Map<string, StepRecord>();
   const bars: GanttBar[] = [];
-  let zero_ms = 0;
+  let now_s = 0;
   for (const event of events.value) {
-    const body = (event.body ?? {}) as Record<string, unknown>;
-    const command = String(body["command_id"] ?? "");
-    if (event.kind === "skill_intent" && body["fingerprint"] === plan.fingerprint) {
-      const number = Number(body["step"]);
-      const known = plan.steps.find((s) => s.number === number);
-      if (known === undefined) continue;
-      if (zero_ms === 0) zero_ms = event.at_ms - known.starts_s * 1000;
-      started.set(command, { step: number, robot: known.robot, at_ms: event.at_ms });
-    } else if (event.kind === "skill_outcome" && started.has(command)) {
-      const begun = started.get(command);
-      started.delete(command);
-      if (begun !== undefined) bars.push(bar(begun, (event.at_ms - begun.at_ms) / 1000, zero_ms, body["is_done"] !== false));
+    const begun = begunStep(event, plan.fingerprint, plan.steps);
+    if (begun !== null) {
+      stepByCommand.set(...begun);
+      if (bars.length === 0) now_s = begun[1].starts_s;
     }
-  }
-  const now_ms = events.value.at(-1)?.at_ms ?? 0;
-  for (const begun of started.values()) {
-    if (run.value?.running?.step === begun.step) bars.push(bar(begun, Math.max((now_ms - begun.at_ms) / 1000, 0.2), zero_ms, true));
+    if (event.kind !== "skill_outcome") continue;
+    const outcome = event.body as Outcome;
+    const step = stepByCommand.get(outcome.command_id);
+    if (step === undefined) continue;
+    bars.push(barOf(step, event.n, now_s, outcome));
+    now_s += outcome.report.duration_s;
   }
   return bars;
 });
 
-function bar(begun: Started, duration_s: number, zero_ms: number, isDone: boolean): GanttBar {
+function begunStep(event: RunEvent, fingerprint: string, steps: readonly StepRecord[]): [string, StepRecord] | null {
+  if (event.kind !== "skill_intent") return null;
+  const intent = event.body as Intent;
+  const step = steps.find((s) => s.number === intent.step);
+  return intent.fingerprint === fingerprint && step !== undefined ? [intent.command_id, step] : null;
+}
+
+function barOf(step: StepRecord, n: number, starts_s: number, { report }: Outcome): GanttBar {
   return {
-    key: `a${begun.step} ${begun.at_ms}`,
-    robot: begun.robot,
-    robotNumber: robotNumber(begun.robot),
-    starts_s: Math.max((begun.at_ms - zero_ms) / 1000, 0),
-    duration_s,
-    words: `${begun.step}`,
-    step: begun.step,
+    key: `a${n}`,
+    robot: step.robot,
+    robotNumber: robotNumber(step.robot),
+    starts_s,
+    duration_s: report.duration_s,
+    words: `${step.number}. ${step.robot_name} ${step.words}`,
+    step: step.number,
     isActual: true,
-    isDone,
+    isDone: report.is_done,
   };
 }

@@ -4,7 +4,7 @@ import { language } from "../words/words";
 import type { NoProposal, Proposal, RunState, Scene, Session } from "../wire";
 import { ServerLink } from "./link";
 import { ask, inLanguage, NoAnswerError, RefusedError } from "./server";
-import { asked, isSignedOut, proposal, run, scene, seenSteps, selectedStep, session } from "./store";
+import { asked, isSignedOut, proposal, result, run, scene, seenSteps, selectedStep, session } from "./store";
 
 let epoch = -1;
 
@@ -75,8 +75,9 @@ async function readProposal(): Promise<void> {
   if (found === null) return;
   const before = proposal.value?.fingerprint;
   asked.value = found;
-  if (found.open === true && found.fingerprint !== before) {
+  if (found.fingerprint !== undefined && found.fingerprint !== before) {
     selectedStep.value = null;
+    if (result.value?.kind === "recorded") result.value = null;
     seenSteps.value = new Set();
   }
 }

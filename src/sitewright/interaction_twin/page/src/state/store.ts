@@ -2,7 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import type { Mode } from "../cell/picture";
 import type { Rehearsal } from "../preview/rehearsal";
-import type { NoProposal, Proposal, RunEvent, RunState, Scene, Session, StepRecord } from "../wire";
+import type { NoProposal, Proposal, Refusal, RunEvent, RunState, Scene, Session, StepRecord } from "../wire";
 
 export type Screen = "cell" | "building" | "runs" | "audit" | "health";
 export type Link = "connecting" | "live" | "stale" | "lost";
@@ -41,7 +41,16 @@ export const replayed = signal<Proposal | null>(null);
 /** How many components stand on the building screen; null shows all. */
 export const standing = signal<number | null>(null);
 
-export const proposal = computed<Proposal | null>(() => (asked.value?.open === true ? asked.value : null));
+export type Result =
+  | { kind: "recorded"; words: string }
+  | { kind: "stale"; refusal: Refusal }
+  | { kind: "refused"; words: string }
+  | { kind: "unknown"; again: () => Promise<void> };
+
+/** What became of the last answer that was given on this page. */
+export const result = signal<Result | null>(null);
+
+export const proposal = computed<Proposal | null>(() => (asked.value?.fingerprint === undefined ? null : asked.value));
 
 export const step = computed<StepRecord | null>(
   () => (replayed.value ?? proposal.value)?.steps.find((s) => s.number === selectedStep.value) ?? null,

@@ -1,0 +1,165 @@
+"""A real server of a real project, and a real browser that looks at it."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Self
+
+import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
+
+from sitewright.app.project import new_project
+
+CHROMIUM = shutil.which("chromium")
+WAIT_MS = 60_000
+READY = "() => Boolean(window.__m?.marks.first && window.__m.marks.ui)"
+SIZES = {390: 844, 820: 1180, 1280: 800}
+_SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+_NOISE = "GPU stall due to ReadPixels"
+
+
+@dataclass
+class ServedProject:
+    """`sitewright serve` of the wooden frame as a process of its own, in a cell that hurries."""
+
+    folder: Path
+    speed: float = 0.0
+    url: str = ""
+    _process: subprocess.Popen[str] | None = None
+
+    def __enter__(self) -> Self:
+        if not self.folder.exists():
+            new_project(self.folder)
+        self.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end(signal.SIGINT)
+
+    @property
+    def origin(self) -> str:
+        return self.url.split("/#")[0]
+
+    def start(self, port: int = 0) -> None:
+        """Start the server and read the link that it prints."""
+        command = [sys.executable, "-m", "sitewright", "serve", str(self.folder)]
+        options = ["--port", str(port), "--no-browser", "--speed", str(self.speed)]
+        state = {"XDG_STATE_HOME": str(self.folder.parent / "state")}
+        self._process = subprocess.Popen(
+            [*command, *options],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            env={**os.environ, **state, "PYTHONUNBUFFERED": "1"},
+        )
+        assert self._process.stdout is not None
+        said = []
+        for line in self._process.stdout:
+            said.append(line)
+            if "#token=" in line:
+                self.url = next(w for w in line.split() if "#token=" in w)
+                break
+        assert self.url, "".join(said)
+        threading.Thread(target=self._process.stdout.read, daemon=True).start()
+
+    def end(self, how: signal.Signals) -> None:
+        """End the server, gently or not, and wait for it."""
+        if self._process is None:
+            return
+        self._process.send_signal(how)
+        self._process.wait(30)
+        self._process = None
+
+    @property
+    def port(self) -> int:
+        return int(self.origin.rsplit(":", 1)[1])
+
+
+@dataclass
+class Seen:
+    """A page with what went wrong on it."""
+
+    page: Page
+    served: ServedProject
+    requests: list[str] = field(default_factory=list)
+    complaints: list[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.page.on("request", lambda r: self.requests.append(r.url))
+        self.page.on("pageerror", lambda e: self.complaints.append(str(e)))
+        self.page.on("console", self._listen)
+
+    def _listen(self, message: Any) -> None:
+        if message.type in {"error", "warning"} and _NOISE not in message.text:
+            self.complaints.append(message.text)
+
+    def open(self, query: str = "") -> None:
+        """Load the page (with the link's token the first time) and wait until it is there."""
+        token = self.served.url.partition("#")[2]
+        self.page.goto(f"{self.served.origin}/?dpr=1{query}#{token}")
+        self.page.wait_for_function(READY, timeout=WAIT_MS)
+        self.page.wait_for_selector("[data-link=live]", timeout=WAIT_MS)
+
+    def json(self, path: str) -> dict[str, Any]:
+        """Ask the server as this page would."""
+        answer: dict[str, Any] = self.page.request.get(self.served.origin + path).json()
+        return answer
+
+    def post(self, path: str, body: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
+        """Send something as this page would."""
+        headers = {"origin": self.served.origin, "content-type": "application/json"}
+        reply = self.page.request.post(self.served.origin + path, data=body, headers=headers)
+        return reply.status, reply.json()
+
+    def waiting(self, *, other_than: str = "") -> dict[str, Any]:
+        """Return the proposal that waits for a decision, once the page shows it."""
+        self.page.wait_for_function(
+            "other => { const b = document.querySelector('.approve.main');"
+            " return b !== null && b.dataset.fingerprint !== other }",
+            arg=other_than,
+            timeout=WAIT_MS,
+        )
+        return self.json("/api/proposals/open")
+
+    def armed(self) -> None:
+        """Wait until Approve may be pressed."""
+        self.page.wait_for_selector('.approve.main[aria-disabled="false"]', timeout=WAIT_MS)
+
+    def until(self, is_so: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+        """Ask for the state until it is as wanted."""
+        for _ in range(WAIT_MS // 50):
+            state = self.json("/api/state")
+            if is_so(state):
+                return state
+            self.page.wait_for_timeout(50)
+        raise AssertionError(state)
+
+
+@contextmanager
+def browser() -> Iterator[Browser]:
+    """Start a real Chromium, or skip by name."""
+    if CHROMIUM is None:
+        pytest.skip("needs Chromium: apt-get install chromium fonts-dejavu-core")
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=CHROMIUM, args=list(_SOFTWARE_GL))
+        yield chromium
+        chromium.close()
+
+
+def look(chromium: Browser, served: ServedProject, *, width: int = 1280) -> Seen:
+    """Return a page in a context of its own: another person at another screen."""
+    context = chromium.new_context(
+        viewport={"width": width, "height": SIZES[width]},
+        reduced_motion="reduce",
+        locale="en-GB",
+    )
+    return Seen(context.new_page(), served)
