@@ -20,9 +20,10 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from sitewright.app.project import new_project
 
 CHROMIUM = shutil.which("chromium")
-WAIT_MS = 60_000
+WAIT_MS = int(os.environ.get("SITEWRIGHT_PAGE_WAIT_MS", "60000"))
 READY = "() => Boolean(window.__m?.marks.first && window.__m.marks.ui)"
 SIZES = {390: 844, 820: 1180, 1280: 800}
+_MAIN = "from sitewright.cli.main import main; main()"
 _SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 _NOISE = "GPU stall due to ReadPixels"
 
@@ -35,6 +36,7 @@ class ServedProject:
     speed: float = 0.0
     url: str = ""
     _process: subprocess.Popen[str] | None = None
+    _drain: threading.Thread = field(default_factory=threading.Thread)
 
     def __enter__(self) -> Self:
         if not self.folder.exists():
@@ -51,7 +53,7 @@ class ServedProject:
 
     def start(self, port: int = 0) -> None:
         """Start the server and read the link that it prints."""
-        command = [sys.executable, "-m", "sitewright", "serve", str(self.folder)]
+        command = [sys.executable, "-c", _MAIN, "serve", str(self.folder)]
         options = ["--port", str(port), "--no-browser", "--speed", str(self.speed)]
         state = {"XDG_STATE_HOME": str(self.folder.parent / "state")}
         self._process = subprocess.Popen(
@@ -69,7 +71,8 @@ class ServedProject:
                 self.url = next(w for w in line.split() if "#token=" in w)
                 break
         assert self.url, "".join(said)
-        threading.Thread(target=self._process.stdout.read, daemon=True).start()
+        self._drain = threading.Thread(target=self._process.stdout.read, daemon=True)
+        self._drain.start()
 
     def end(self, how: signal.Signals) -> None:
         """End the server, gently or not, and wait for it."""
@@ -77,6 +80,9 @@ class ServedProject:
             return
         self._process.send_signal(how)
         self._process.wait(30)
+        self._drain.join()
+        if self._process.stdout is not None:
+            self._process.stdout.close()
         self._process = None
 
     @property

@@ -1,6 +1,5 @@
 // The page: one frame around the screens; Hold and the connection are there on all of them.
 import { render } from "preact";
-import { useEffect } from "preact/hooks";
 import { ActionBar, HoldButton } from "./parts/actions";
 import { Banners } from "./parts/banners";
 import { Header } from "./parts/header";
@@ -12,12 +11,9 @@ import { Workspace } from "./screens/workspace";
 import { watchCode } from "./state/arming";
 import { startPage } from "./state/start";
 import { link, rehearsal, screen, session } from "./state/store";
-import { language, say } from "./words/words";
+import { say } from "./words/words";
 
 function Page() {
-  useEffect(() => {
-    document.documentElement.lang = language.value;
-  }, [language.value]);
   const name = screen.value;
   return (
     <div class={`page ${link.value}`}>

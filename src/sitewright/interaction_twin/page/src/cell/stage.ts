@@ -101,6 +101,7 @@ export class Stage {
 
   /** Returns where a point of the site is on the page; null if it is behind the eye. */
   project(point: Vector3): { x: number; y: number } | null {
+    this.camera.eye.updateMatrixWorld();
     const seen = point.clone().project(this.camera.eye);
     if (seen.z > 1) return null;
     const box = this.canvas.getBoundingClientRect();

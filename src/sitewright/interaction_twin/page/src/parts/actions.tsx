@@ -19,7 +19,7 @@ export function HoldButton() {
   const state = holdState.value;
   const isHeld = RESTING.has(run.value?.phase ?? "");
   return (
-    <div class="hold-area">
+    <section class="hold-area" aria-label={say("act.hold")}>
       {isHeld ? (
         <ResumeButton />
       ) : (
@@ -31,7 +31,7 @@ export function HoldButton() {
       <p class={`note ${state}`} role="status">
         {state === "failed" ? say("act.hold.failed") : state === "sent" && run.value?.phase === "holding" ? say("act.hold.sent") : ""}
       </p>
-    </div>
+    </section>
   );
 }
 
@@ -52,7 +52,7 @@ export function ActionBar() {
   const left = plan.steps.filter((s) => !s.is_done);
   const chosen = selectedStep.value !== null && left.some((s) => s.number === selectedStep.value) ? selectedStep.value : null;
   return (
-    <div class="acts" role="group" aria-label={say("acts.label", { code: plan.code })}>
+    <section class="acts" aria-label={say("acts.label", { code: plan.code })}>
       <button type="button" disabled={!isReachable.value || !may("reject")} onClick={() => (open.value = "reject")}>
         {say("act.reject")}
       </button>
@@ -69,7 +69,7 @@ export function ActionBar() {
       <ApproveButton scope={{ kind: "plan" }} until={Infinity} words={say("act.all")} note={sayCount("act.all.note", left.length)} isMain />
       {open.value === "reject" && <RejectDialog plan={plan} onClose={() => (open.value = "")} />}
       {open.value === "other" && <OtherDialog plan={plan} onClose={() => (open.value = "")} />}
-    </div>
+    </section>
   );
 }
 
@@ -80,12 +80,12 @@ function ShowPlan({ code }: { code: string }) {
     panel.value = "plan";
   };
   return (
-    <div class="acts">
+    <section class="acts" aria-label={say("acts.label", { code })}>
       <button type="button" onClick={show}>
         <b>{say("act.show")}</b>
         <small>{code}</small>
       </button>
-    </div>
+    </section>
   );
 }
 

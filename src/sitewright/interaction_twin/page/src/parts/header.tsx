@@ -7,10 +7,10 @@ const SCREENS: readonly Screen[] = ["cell", "building", "runs", "audit", "health
 export function Header() {
   return (
     <header class="top">
-      <p class="project">
+      <h1 class="project">
         <img src="/static/icon.svg" alt="" width="28" height="28" />
-        <strong>{scene.value?.project ?? say("app.name")}</strong>
-      </p>
+        <span>{scene.value?.project ?? say("app.name")}</span>
+      </h1>
       <Headline />
       <LinkChip />
       <p class="who">

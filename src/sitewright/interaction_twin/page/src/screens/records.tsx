@@ -37,7 +37,7 @@ export function AuditScreen() {
   const [answer, trouble] = useAnswer<{ entries: Entry[] }>("/api/audit");
   return (
     <div class="sheet scroll" tabIndex={0} role="region" aria-label={say("nav.audit")}>
-      <h1>{say("audit.title")}</h1>
+      <h2>{say("audit.title")}</h2>
       {trouble !== "" && <p role="alert">{say("failed", { reason: trouble })}</p>}
       {answer?.entries.length === 0 && <p>{say("audit.none")}</p>}
       {answer !== null && answer.entries.length > 0 && (
@@ -96,7 +96,7 @@ export function HealthScreen() {
   const [health, trouble] = useAnswer<Health>("/api/health");
   return (
     <div class="sheet scroll" tabIndex={0} role="region" aria-label={say("nav.health")}>
-      <h1>{say("health.title")}</h1>
+      <h2>{say("health.title")}</h2>
       {trouble !== "" && <p role="alert">{say("failed", { reason: trouble })}</p>}
       {health !== null && trouble === "" && (
         <dl class="health">

@@ -1,5 +1,5 @@
 // The page's words in the chosen language; numbers and plurals as that language writes them.
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { de } from "./de";
 import { en, type WordKey, type Words } from "./en";
 import { es } from "./es";
@@ -12,6 +12,10 @@ const CATALOGUE: Record<Language, Words> = { en, de, es, zh };
 const KEPT = "sitewright-language";
 
 export const language = signal<Language>(firstLanguage());
+effect(() => {
+  document.documentElement.lang = language.value;
+});
+
 const plurals = computed(() => new Intl.PluralRules(language.value));
 
 function isLanguage(name: string | null | undefined): name is Language {

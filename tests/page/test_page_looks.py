@@ -1,0 +1,224 @@
+"""The page as a person sees it, in a real browser before a real server; nothing is decided here."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser
+
+from builders_page import READY, SIZES, WAIT_MS, Seen, ServedProject, browser, look
+
+ROOT = Path(__file__).parents[2]
+AXE = ROOT / "src/sitewright/interaction_twin/page/node_modules/axe-core/axe.min.js"
+HOLD = {"en": "Hold", "de": "Anhalten", "es": "Detener", "zh": "暂停"}
+SCREENS = ("Cell", "Building", "Runs", "Audit", "Health")
+PICTURES = os.environ.get("SITEWRIGHT_PICTURES", "")
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[Browser]:
+    with browser() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ServedProject]:
+    with ServedProject(tmp_path_factory.mktemp("looks") / "frame") as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def opened(chromium: Browser, served: ServedProject) -> Seen:
+    """Return the one page that these tests share; it signs in once."""
+    seen = look(chromium, served)
+    seen.open()
+    if seen.json("/api/state")["phase"] == "idle":
+        seen.page.click(".resume")
+    seen.waiting()
+    return seen
+
+
+@pytest.fixture
+def seen(opened: Seen) -> Iterator[Seen]:
+    """Give the page back as it was at the start, and see that it complained of nothing."""
+    opened.page.set_viewport_size({"width": 1280, "height": 800})
+    yield opened
+    complaints, opened.complaints[:] = list(opened.complaints), []
+    assert complaints == []
+    opened.page.keyboard.press("Escape")
+    opened.page.click("nav button >> nth=0")
+    opened.page.click(".modes button >> nth=0")
+    opened.page.click(".tabs button >> nth=0")
+
+
+def test_nothing_is_asked_of_any_other_server(seen: Seen) -> None:
+    assert seen.requests
+    assert [
+        r for r in seen.requests if not r.startswith((seen.served.origin, "data:", "blob:"))
+    ] == []
+
+
+def test_the_token_does_not_stay_in_the_address(seen: Seen) -> None:
+    assert "token" not in seen.page.url
+
+
+def test_a_frozen_picture_is_the_same_to_the_pixel(seen: Seen) -> None:
+    pictures = []
+    for _ in range(2):
+        again = seen.page.context.new_page()
+        again.set_viewport_size({"width": 640, "height": 480})
+        again.goto(f"{seen.served.origin}/?dpr=1&freeze=1")
+        again.wait_for_function(READY, timeout=WAIT_MS)
+        again.wait_for_selector(".approve.main")
+        pictures.append(again.evaluate("() => __app.pixels()"))
+        again.close()
+    assert pictures[0] == pictures[1]
+    assert len(pictures[0]) > 10_000
+
+
+def test_a_tap_in_the_picture_names_what_was_tapped(seen: Seen) -> None:
+    page = seen.page
+    page.click(".views button >> nth=1")  # from above nothing hides the frame
+    place = page.evaluate("() => __app.project('stud-2')")
+    page.locator("canvas").click(position={"x": place["x"], "y": place["y"]})
+    assert page.inner_text(".card h3") == "Transverse stud 2"
+    assert "Supporting stud 1" in page.inner_text(".card dl")
+    page.click(".card header button")
+    page.click(".views button >> nth=0")
+
+
+def test_the_joints_that_are_shown_are_those_that_are_sensed(seen: Seen) -> None:
+    shown = seen.page.evaluate("() => __app.postures()")
+    sensed = [robot["q_rad"] for robot in seen.json("/api/scene")["robots"]]
+    assert [pytest.approx(q, abs=1e-4) for q in sensed] == shown
+
+
+def test_the_preview_plays_the_trajectories_that_the_plan_names(seen: Seen) -> None:
+    page = seen.page
+    plan = seen.json("/api/proposals/open")
+    page.click(".modes button >> nth=1")
+    page.wait_for_selector(".transport .play")
+    named = [m["trajectory_sha256"] for s in plan["steps"] for m in s["motions"]]
+    assert page.evaluate("() => __app.trajectories()") == named
+    for _ in range(3):
+        page.click(".transport button >> nth=3")
+    moving = [s for s in plan["steps"] if s["duration_s"] > 0]
+    starts = sorted({s["starts_s"] for s in moving})
+    assert page.input_value(".transport input") == pytest.approx(str(starts[3]), abs=0.02) or (
+        float(page.input_value(".transport input")) == pytest.approx(starts[3], abs=0.02)
+    )
+    assert page.locator(".step.selected").count() == 1
+
+
+def test_list_schedule_and_picture_select_the_same_step(seen: Seen) -> None:
+    page = seen.page
+    page.click(".step >> nth=1 >> .row")
+    assert page.get_attribute(".step.selected", "data-step") == "2"
+    assert page.locator("rect[data-bar='2'][stroke-width='2.2']").count() == 1
+    page.focus(".gantt")
+    page.keyboard.press("ArrowRight")
+    assert page.get_attribute(".step.selected", "data-step") == "3"
+    page.click(".step.selected .row")
+    assert page.locator(".step.selected").count() == 0
+
+
+def test_hold_comes_first_for_keys_and_approve_never_has_the_focus_by_itself(seen: Seen) -> None:
+    page = seen.page
+    page.reload()
+    page.wait_for_function(READY, timeout=WAIT_MS)
+    seen.armed()
+    assert page.evaluate("() => document.activeElement.tagName") == "BODY"
+    page.keyboard.press("Tab")
+    assert "hold" in (page.evaluate("() => document.activeElement.className"))
+    order = []
+    for _ in range(90):
+        page.keyboard.press("Tab")
+        order.append(page.evaluate("() => document.activeElement.className"))
+        if "main" in order[-1]:
+            break
+    assert "approve main" in order[-1]
+    page.keyboard.press("Shift+Tab")
+    assert seen.json("/api/state")["phase"] == "waiting"
+
+
+@pytest.mark.parametrize("language", HOLD)
+def test_the_page_speaks_the_language_that_is_chosen(seen: Seen, language: str) -> None:
+    page = seen.page
+    page.select_option(".language select", language)
+    assert page.inner_text(".hold b") == HOLD[language]
+    assert page.get_attribute("html", "lang") == language
+    words = page.inner_text("#page")
+    assert [w for w in ("act.", "phase.", "plan.", "{") if w in words] == []
+    page.select_option(".language select", "en")
+
+
+@pytest.mark.parametrize("width", SIZES)
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_decisions_are_in_view_and_nothing_is_clipped(
+    seen: Seen, width: int, language: str
+) -> None:
+    page = seen.page
+    page.set_viewport_size({"width": width, "height": SIZES[width]})
+    page.select_option(".language select", language)
+    for selector in (".hold", *(f".acts > button >> nth={n}" for n in range(5))):
+        box = page.locator(selector).bounding_box()
+        assert box is not None
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= width
+        assert box["y"] + box["height"] <= SIZES[width]
+        assert min(box["width"], box["height"]) >= 48
+    wider = "() => document.documentElement.scrollWidth > innerWidth"
+    assert not page.evaluate(wider)
+    overlap = """() => {
+      const boxes = [...document.querySelectorAll('.hold, .acts > button')].map((b) =>
+        b.getBoundingClientRect());
+      return boxes.some((a, i) => boxes.some((b, j) => i < j && a.left < b.right - 1 &&
+        b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1));
+    }"""
+    assert not page.evaluate(overlap)
+    cut = """() => [...document.querySelectorAll('.acts > button, .hold')]
+      .filter((b) => b.scrollWidth > b.clientWidth + 1 || b.scrollHeight > b.clientHeight + 1)
+      .map((b) => b.textContent)"""
+    assert page.evaluate(cut) == []
+    page.select_option(".language select", "en")
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+def test_no_screen_has_a_barrier_that_axe_finds(seen: Seen, width: int) -> None:
+    assert AXE.is_file(), "run `make page`: it installs axe-core"
+    page = seen.page
+    page.set_viewport_size({"width": width, "height": SIZES[width]})
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    for number, screen in enumerate(SCREENS):
+        page.click(f"nav button >> nth={number}")
+        page.wait_for_selector(f"nav button[aria-current] >> text={screen}")
+        assert _barriers(page) == [], screen
+    page.click("nav button >> nth=0")
+    page.click(".tabs button >> nth=1")
+    page.wait_for_selector(".layer .name")
+    assert _barriers(page) == [], "components"
+    page.click(".tabs button >> nth=0")
+    page.click(".acts button >> nth=0")
+    page.wait_for_selector("dialog[open]")
+    assert _barriers(page) == [], "reject"
+    page.keyboard.press("Escape")
+
+
+def _barriers(page: Any) -> list[str]:
+    found = page.evaluate("() => axe.run().then((r) => r.violations)")
+    return [f"{v['id']}: {n['html'][:160]}" for v in found for n in v["nodes"]]
+
+
+def test_the_picture_of_the_readme_is_taken_here(seen: Seen, tmp_path: Path) -> None:
+    page = seen.page
+    page.click(".step >> nth=4 >> .row")
+    page.click(".step.selected .details button >> nth=0")
+    page.wait_for_selector(".transport .play")
+    folder = Path(PICTURES) if PICTURES else tmp_path
+    picture = folder / "page.png"
+    page.screenshot(path=picture)
+    assert picture.stat().st_size > 50_000
