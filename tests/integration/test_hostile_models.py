@@ -74,6 +74,33 @@ def _circle(path: Path) -> None:
     draft.write(path)
 
 
+def _conversion(path: Path, factor: float, *, is_circle: bool) -> None:
+    draft = wall_panel()
+    new = draft.file.create_entity
+    metre = draft.file.by_type("IfcSIUnit")[0]
+    measure = new("IfcMeasureWithUnit", new("IfcLengthMeasure", factor), metre)
+    exponents = new("IfcDimensionalExponents", 1, 0, 0, 0, 0, 0, 0)
+    unit = new("IfcConversionBasedUnit", exponents, "LENGTHUNIT", "ell", measure)
+    if is_circle:
+        measure.UnitComponent = unit
+    draft.file.by_type("IfcUnitAssignment")[0].Units = [unit]
+    draft.write(path)
+
+
+def _property_circle(path: Path) -> None:
+    draft: Any = wall_panel()
+    new = draft.file.create_entity
+    value = new("IfcPropertySingleValue", "x", None, new("IfcLabel", "v"), None)
+    whole = new("IfcComplexProperty", "a", None, "u", [value])
+    whole.HasProperties = [whole]
+    own = draft.rooted("IfcPropertySet", Name="P", HasProperties=[whole])
+    member = draft.file.by_type("IfcMember")[0]
+    draft.rooted(
+        "IfcRelDefinesByProperties", RelatedObjects=[member], RelatingPropertyDefinition=own
+    )
+    draft.write(path)
+
+
 def _ifc_text(old: bytes, new: bytes) -> Callable[[Path], None]:
     def write(path: Path) -> None:
         content = wall_panel().write(path).read_bytes()
@@ -114,6 +141,16 @@ FILES: dict[str, tuple[Callable[[Path], None], tuple[str, ...]]] = {
     "mapped-bomb.ifc": (_mapped_bomb, ("E2", "1e+09 bodies", "more than 20000")),
     "many-mapped.ifc": (_many_mapped, ("E2", "more than 200000 bodies")),
     "placement-circle.ifc": (_circle, ("E2", "goes in a circle")),
+    "property-circle.ifc": (_property_circle, ("E2", "IfcComplexProperty", "in a circle")),
+    "unit-circle.ifc": (
+        lambda path: _conversion(path, 1.0, is_circle=True),
+        ("E2", "IfcConversionBasedUnit", "in a circle"),
+    ),
+    "unit-0.ifc": (lambda path: _conversion(path, 0.0, is_circle=False), ("E2", "unit of length")),
+    "unit-1e300.ifc": (
+        lambda path: _conversion(path, 1e300, is_circle=False),
+        ("E2", "unit of length"),
+    ),
     "id-2e31.ifc": (_ifc_text(b"#11=", b"#2147483648="), ("E2",)),
     "id-digits.ifc": (_ifc_text(b"#11=", b"#" + b"9" * 1_000_000 + b"="), ("E2",)),
     "size-1e30.ifc": (_ifc_text(b",45.,95.)", b",1E30,95.)"), ("O1",)),

@@ -9,8 +9,9 @@ _Graph = dict[int, list[int]]
 
 
 def circles(file: Any) -> list[str]:  # noqa: ANN401 - untyped entity
-    """Return one sentence per circle of placements, shapes or wholes and parts."""
-    found = [_circle(graph) for graph in (_placements(file), _shapes(file), _wholes(file))]
+    """Return one sentence per circle of placements, shapes, wholes and parts, units, properties."""
+    graphs = (_placements(file), _shapes(file), _wholes(file), _units(file), _properties(file))
+    found = [_circle(graph) for graph in graphs]
     return [
         f"{' -> '.join(f'#{n}' for n in path)} ({file.by_id(path[0]).is_a()}) goes in a circle"
         for path in found
@@ -33,6 +34,17 @@ def _shapes(file: Any) -> _Graph:  # noqa: ANN401
     for mapped in file.by_type("IfcMappedItem"):
         graph[mapped.id()] = [i.id() for i in mapped.MappingSource.MappedRepresentation.Items]
     return graph
+
+
+def _units(file: Any) -> _Graph:  # noqa: ANN401
+    return {
+        u.id(): [u.ConversionFactor.UnitComponent.id()]
+        for u in file.by_type("IfcConversionBasedUnit")
+    }
+
+
+def _properties(file: Any) -> _Graph:  # noqa: ANN401
+    return {p.id(): [h.id() for h in p.HasProperties] for p in file.by_type("IfcComplexProperty")}
 
 
 def _wholes(file: Any) -> _Graph:  # noqa: ANN401

@@ -19,6 +19,7 @@ _NOT_BUILT = (
 )
 _MAX_PARTS = 50_000
 _SHOWN = 300
+_SHORTEST_UNIT_M, _LONGEST_UNIT_M = 1e-9, 1e5
 WRONG_KIND = (AttributeError, TypeError, ValueError, IndexError, ArithmeticError)
 """What an attribute of a wrong kind looks like: the parser does not check kinds."""
 
@@ -96,7 +97,11 @@ def _metres_per_unit(file: Any) -> float | None:  # noqa: ANN401 - untyped entit
     units = [u for a in assignments for u in a.Units]
     if not any(getattr(u, "UnitType", None) == "LENGTHUNIT" for u in units):
         return None
-    return float(calculate_unit_scale(file))
+    metres = float(calculate_unit_scale(file))
+    if not _SHORTEST_UNIT_M <= metres <= _LONGEST_UNIT_M:
+        message = f"its unit of length is {metres:g} m, in which no building is drawn."
+        raise UnreadableError("E2", message, "Correct the unit and export it again.")
+    return metres
 
 
 def _elements(file: Any) -> tuple[list[Any], list[str]]:  # noqa: ANN401
