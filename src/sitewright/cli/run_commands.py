@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
+from click.core import ParameterSource
 
 from sitewright.cli.options import (
     FOLDER,
@@ -18,6 +21,7 @@ from sitewright.cli.output import Output
 from sitewright.cli.terminal import Dialogue
 
 if TYPE_CHECKING:
+    from sitewright.app.demo import Demo
     from sitewright.app.project import Project
     from sitewright.app.reporting import Report
     from sitewright.app.run import RunResult
@@ -57,18 +61,48 @@ def run(
     show_default=True,
     help="Project folder; made if it is not there.",
 )
+@click.option(
+    "--page/--no-page",
+    "wants_page",
+    default=None,
+    help="Approve at the page in a browser; the default where there is a display and a terminal.",
+)
 @json_option
-def demo(approve: str, into: Path, is_json: bool) -> int:  # noqa: FBT001 -- click
+@click.pass_context
+def demo(
+    context: click.Context,
+    approve: str,
+    into: Path,
+    wants_page: bool | None,  # noqa: FBT001 -- click
+    is_json: bool,  # noqa: FBT001 -- click
+) -> int:
     """Build the wooden frame in simulation: two robots, five studs, twelve nails."""
     from sitewright.app.demo import open_demo
 
     out = Output(is_json)
     ready = open_demo(into)
+    is_approve_given = context.get_parameter_source("approve") is not ParameterSource.DEFAULT
+    if wants_page or (wants_page is None and not (is_approve_given or is_json) and can_show_page()):
+        return _serve_demo(ready, out)
     out.note(
         f"The wooden frame in {ready.project.folder}: building model -> construction graph -> PDDL "
         "-> Fast Downward -> certified motion -> approval -> MuJoCo."
     )
     return _run(ready.project, approve, out, from_design=ready.starts_anew)
+
+
+def can_show_page() -> bool:
+    """Tell whether somebody sits there with a terminal and a display for a browser."""
+    is_terminal = sys.stdin.isatty() and sys.stdout.isatty()
+    return is_terminal and bool({"DISPLAY", "WAYLAND_DISPLAY"} & set(os.environ))
+
+
+def _serve_demo(ready: Demo, out: Output) -> int:
+    from sitewright.app.serving.server import ServeOptions
+    from sitewright.cli.serve_command import serve_page
+
+    options = ServeOptions(folder=ready.project.folder, port=0, from_design=ready.starts_anew)
+    return serve_page(options, out, opens_browser=can_show_page())
 
 
 def _run(project: Project, approve: str, out: Output, *, from_design: bool) -> int:
