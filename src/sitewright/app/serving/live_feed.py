@@ -76,9 +76,11 @@ class LiveFeed:
             if self._audience.size == 0 or not self._joints:
                 await asyncio.sleep(PERIOD_S)
                 continue
+            started_ns = self._clock.monotonic_ns()
             try:
                 await self._look()
-                await asyncio.sleep(PERIOD_S)
+                took_s = (self._clock.monotonic_ns() - started_ns) / _S
+                await asyncio.sleep(max(0.0, PERIOD_S - took_s))
             except BackendError:
                 self._lose()
                 await asyncio.sleep(_LOOK_AGAIN_S)
