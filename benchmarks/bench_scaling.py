@@ -9,6 +9,7 @@ from __future__ import annotations
 import statistics
 import sys
 import time
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -29,9 +30,7 @@ def main() -> None:
     for targets in wanted:
         project = long_wall(STUDS_PER_BAY * (targets // _PER_BAY))
         moments = [time.perf_counter()]
-        report = plan_project(
-            project, on_progress=lambda _, m=moments: m.append(time.perf_counter())
-        )
+        report = plan_project(project, on_progress=partial(_note, moments))
         each = sorted(b - a for a, b in pairwise(moments))
         symbolic_s = report.timing_s["symbolic"] / report.targets_total
         print(
@@ -40,6 +39,10 @@ def main() -> None:
             f"| {each[-1]:.2f} | {symbolic_s:.3f} |",
             flush=True,
         )
+
+
+def _note(moments: list[float], *_words: object) -> None:
+    moments.append(time.perf_counter())
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ def test_no_point_travels_further_than_its_radii_allow() -> None:
     change = np.random.default_rng(2).uniform(-0.2, 0.2, start.shape)
     shares = []
     rows = layout.rows_of[A]
-    before, after = (proof().placed(A, q)[:, rows] for q in (start, start + change))
+    before, after = (proof().placed(A, q).in_every_posture(rows) for q in (start, start + change))
     for k, row in enumerate(rows):
         part = layout.parts[row]
         points = np.concatenate((part.vertices_m.T, np.ones((1, len(part.vertices_m)))))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from sitewright.foundation.ids import RobotId
@@ -210,6 +210,16 @@ class Approaches:
             return False
         self._blocked[shape] = _Blocked(q_rad, threshold_m, is_padded)
         return True
+
+
+def different(reaching: Reaching, postures: Iterable[Joints]) -> Iterator[Joints]:
+    """Yield the postures that differ in more than whole turns of their joints."""
+    shapes: set[Joints] = set()
+    for q_rad in postures:
+        shape = without_turns(reaching.description, q_rad)
+        if shape not in shapes:
+            shapes.add(shape)
+            yield q_rad
 
 
 def straight_approach(reaching: Reaching, touch: Touch, contact_rad: Joints) -> Approach | NoIk:

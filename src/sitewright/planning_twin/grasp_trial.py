@@ -6,7 +6,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
-from sitewright.planning_twin.approach import Approach, Approaches, Reaching, straight_approach
+from sitewright.planning_twin.approach import (
+    Approach,
+    Approaches,
+    Reaching,
+    different,
+    straight_approach,
+)
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import Jobsite, scene_of, with_aperture
 from sitewright.planning_twin.motion import JointPath, PathSegment
@@ -20,6 +26,7 @@ from sitewright.planning_twin.touches import (
     place_touch,
 )
 from sitewright.robot_team.cell import EndEffector, Robot
+from sitewright.robot_team.description import Joints
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,6 +72,15 @@ class GraspTrial:
             for approach in Approaches(self.carrying, touch, self.robot.home_q_rad):
                 if is_proven(self.carrying, approach.segments):
                     yield number, approach
+
+    def hold_postures(self) -> Iterator[Joints]:
+        """Yield the clear postures with the piece at the target; whole turns are left out."""
+        task = self.context.task
+        touch = place_touch(task, self.tool, self.piece, self.grasp, task.insertions[0])
+        postures = self.carrying.solve(touch.world_T_tip, self.robot.home_q_rad)
+        for q_rad in () if isinstance(postures, NoIk) else different(self.carrying, postures):
+            if self.carrying.is_clear(q_rad, touch.near_m):
+                yield q_rad
 
     def in_its_place(self) -> tuple[ComponentId, ...] | None:
         """Return the pieces that lie where this one belongs; None if this grasp cannot get there.

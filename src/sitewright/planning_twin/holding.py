@@ -13,24 +13,19 @@ from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk, PayloadExceeded, Refusal
 from sitewright.planning_twin.tacking import (
     Holding,
+    Tacking,
     forced_tacks,
-    is_enough,
     owed_tacks,
     tacks_needed,
     with_tacks,
 )
 from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
-from sitewright.robot_team.description import Joints
-from sitewright.robot_team.kinematics import without_turns
 
 _TACKS = "fasten while held"
 _PICK = "pick and lift"
+_PLACE = "place"
 _FAR_PIECE = "reach the piece"
-_PATIENCE = 6
-"""So many ways to hold may let too few fasteners be driven before the search takes strides."""
-_SPREAD = 8
-"""Then it looks at about so many grasps of all."""
 
 
 def find_holding(
@@ -62,27 +57,26 @@ def find_holding(
     if hopeless is not None:
         return hopeless
     dropped: Counter[str] = Counter()
-    most_tacks: tuple[OperationId, ...] = ()
+    tacking = Tacking(context, robot.id, piece, tool)
     first = tried[-1].rank if tried else 0
-    for rank in _ranks(first, len(candidates), dropped):
+    for rank in range(first, len(candidates)):
         trial = grasp_trial(context, robot, tool, piece, candidates[rank])
-        insufficient: set[Joints] = set()
+        tacks = tacking.of(trial.grasp)
+        if not any(map(tacks.suffice, trial.hold_postures())):
+            dropped[_TACKS if tacks.asked else _PLACE] += 1
+            continue
         for holding in _serving(trial, rank, dropped):
-            shape = without_turns(robot.description, holding.hold_rad)
             is_tried = any(h.hold_rad == holding.hold_rad and h.rank == rank for h in tried)
-            if is_tried or shape in insufficient:
-                continue
-            tacked = with_tacks(context, holding, tool)
-            if is_enough(context.task, tacked.tacks):
-                return replace(tacked, passed_over=tuple(sorted(dropped.items())))
-            insufficient.add(shape)
-            most_tacks = max(most_tacks, tacked.tacks, key=len)
-            dropped[_TACKS] += 1
+            if not is_tried and tacks.suffice(holding.hold_rad):
+                passed_over = tuple(sorted(dropped.items()))
+                return replace(
+                    holding, tacks=tacks.while_at(holding.hold_rad), passed_over=passed_over
+                )
     return NoGrasp(
         is_proven=not candidates,
         candidates=len(candidates),
         dropped_by=tuple(sorted(dropped.items())),
-        reason=_reason(context.task, most_tacks, dropped, tried),
+        reason=_reason(context.task, tacking, dropped, tried),
     )
 
 
@@ -93,18 +87,6 @@ def depends_on_start(refusal: Refusal) -> bool:
             return any(name in (_PICK, _FAR_PIECE) for name, _ in dropped)
         case _:
             return False
-
-
-def _ranks(first: int, count: int, dropped: Counter[str]) -> Iterator[int]:
-    """Yield the grasps to try: all in order, or a spread of them once holding proves hard.
-
-    Whether fasteners can be driven while the piece is held takes long to look at, and grasps of
-    nearly the same pitch and offset seldom differ in it.
-    """
-    rank = first
-    while rank < count:
-        yield rank
-        rank += max(1, (count - first) // _SPREAD) if dropped[_TACKS] >= _PATIENCE else 1
 
 
 def _taken(
@@ -213,7 +195,7 @@ def _serving(trial: GraspTrial, rank: int, dropped: Counter[str]) -> Iterator[Ho
             insertion=number,
         )
     if not is_placed:
-        dropped["place"] += 1
+        dropped[_PLACE] += 1
 
 
 def _candidates(
@@ -225,14 +207,9 @@ def _candidates(
     return grasps_of(context.site.pieces[piece], tool, context.site.world_T_piece[piece])
 
 
-def _reason(
-    task: Task,
-    most_tacks: tuple[OperationId, ...],
-    dropped: Counter[str],
-    tried: tuple[Holding, ...],
-) -> str:
+def _reason(task: Task, tacking: Tacking, dropped: Counter[str], tried: tuple[Holding, ...]) -> str:
     if dropped[_TACKS]:
-        return _too_few(task, most_tacks, dropped[_TACKS])
+        return _too_few(task, tacking.most, tacking.insufficient)
     if tried:
         return f"the motions of all {len(tried)} grasps that serve were refused"
     if not dropped:
@@ -245,11 +222,11 @@ def _too_few(task: Task, most_tacks: tuple[OperationId, ...], ways: int) -> str:
     if missing:
         return (
             f"{' and '.join(missing)} must be driven while the piece is held, and no tool gets "
-            f"there in any of the {ways} ways to hold it that were tried"
+            f"there in any of the {ways} ways to hold it"
         )
     return (
         f"at most {len(most_tacks)} of the {tacks_needed(task)} fasteners that must be driven "
-        f"before letting go can be driven while it is held ({ways} ways to hold it were tried)"
+        f"before letting go can be driven while it is held (in {ways} ways to hold it)"
     )
 
 

@@ -7,12 +7,13 @@ from dataclasses import replace
 
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose
+from sitewright.planning_twin.driving import DrivingWays
 from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.jobsite import Jobsite, tool_for, world_T_dock
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.planning_twin.setting_down import places_to_set_down
 from sitewright.planning_twin.skill_times import SKILL_TIME_S, TYPICAL_REACH_S
-from sitewright.planning_twin.tacking import Holding, can_drive, held_site
+from sitewright.planning_twin.tacking import Holding, held_site
 from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot, Station, StationKind
 from sitewright.symbolic_planning.site_index import preparation_place
@@ -93,11 +94,11 @@ def _only_after_letting_go(
 ) -> Iterator[tuple[RobotId, PlaceId, PlaceId]]:
     """Yield which robot must not be at which fastener while the handler is at the target."""
     for holding in holdings.values():
-        held = _held(context, holding)
+        held, ways = _held(context, holding), DrivingWays(context, holding.piece)
         for robot, spot, _ in tools_at_spots(context):
             if held is None or spot.fastener is None or spot.operation in holding.tacks:
                 continue
-            if not can_drive(context, held, robot, spot, holding.piece):
+            if not ways.can_drive(held, robot, spot):
                 yield robot.id, spot.operation, context.task.target
         return
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from sitewright.foundation.ids import ComponentId, OperationId, RobotId
-from sitewright.planning_twin.approach import Approaches, Reaching
-from sitewright.planning_twin.fastening import Spot, tool_poses
+from sitewright.planning_twin.driving import DrivingWays
+from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.grasps import Grasp
-from sitewright.planning_twin.jobsite import Jobsite, scene_of, tool_for, with_tool
+from sitewright.planning_twin.jobsite import Jobsite, tool_for
 from sitewright.planning_twin.task import Task, TwinContext
-from sitewright.planning_twin.touches import spot_touch
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
+from sitewright.robot_team.kinematics import without_turns
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,21 +77,97 @@ def _most_wanted_first(task: Task) -> list[Spot]:
     return sorted(fasteners, key=lambda s: not s.needs_hold)
 
 
+class Tacking:
+    """Which fasteners can be driven while a robot holds a piece, one way of holding after another.
+
+    Attributes:
+        most: The most that could be driven in any way that was asked for.
+        insufficient: So many ways let too few be driven.
+    """
+
+    def __init__(
+        self, context: TwinContext, robot: RobotId, piece: ComponentId, gripper: EndEffector
+    ) -> None:
+        """Look at one robot and piece of a task."""
+        self.context, self.robot, self.piece, self.gripper = context, robot, piece, gripper
+        self.ways = DrivingWays(context, piece)
+        self.most: tuple[OperationId, ...] = ()
+        self.insufficient = 0
+
+    def of(self, grasp: Grasp) -> GraspTacks:
+        """Return the answers for one grasp."""
+        return GraspTacks(self, grasp)
+
+    def note(self, tacks: tuple[OperationId, ...]) -> bool:
+        """Note what one more way of holding allows; tell whether it is enough."""
+        if is_enough(self.context.task, tacks):
+            return True
+        self.insufficient += 1
+        self.most = max(self.most, tacks, key=len)
+        return False
+
+
+@dataclass(slots=True)
+class GraspTacks:
+    """The answers for one grasp, by the posture that the piece is held in."""
+
+    _tacking: Tacking
+    _grasp: Grasp
+    _known: dict[Joints, tuple[tuple[OperationId, ...], bool]] = field(default_factory=dict)
+
+    @property
+    def asked(self) -> int:
+        """How many postures were asked for, whole turns left out."""
+        return len(self._known)
+
+    def suffice(self, hold_rad: Joints) -> bool:
+        """Tell whether enough can be driven while the piece is held in a posture."""
+        return self._at(hold_rad)[1]
+
+    def while_at(self, hold_rad: Joints) -> tuple[OperationId, ...]:
+        """Return what can be driven while the piece is held in a posture."""
+        return self._at(hold_rad)[0]
+
+    def _at(self, hold_rad: Joints) -> tuple[tuple[OperationId, ...], bool]:
+        about = self._tacking
+        arm = about.context.cell.robot_by_id[about.robot].description
+        shape = without_turns(arm, hold_rad)
+        if shape not in self._known:
+            holding = Holding(
+                robot=about.robot, piece=about.piece, grasp=self._grasp, hold_rad=hold_rad
+            )
+            tacks = drivable_while_held(about.context, holding, about.gripper, about.ways)
+            self._known[shape] = (tacks, about.note(tacks))
+        return self._known[shape]
+
+
 def drivable_while_held(
-    context: TwinContext, holding: Holding, gripper: EndEffector
+    context: TwinContext,
+    holding: Holding,
+    gripper: EndEffector,
+    ways: DrivingWays | None = None,
 ) -> tuple[OperationId, ...]:
     """Return the fasteners that some other robot can drive while this one holds the piece.
 
     Those that must be driven while it is held come first; then as many as have to be. One of
     them that cannot be driven ends the search: this way of holding will not do.
+
+    Args:
+        context: Engines, site and task.
+        holding: Who holds which piece, and how.
+        gripper: What it is held with.
+        ways: Of the same context and piece; asked again for each way of holding.
     """
     count = tacks_needed(context.task)
+    if not count:
+        return ()
     site = held_site(context, holding, gripper)
+    ways = ways or DrivingWays(context, holding.piece)
     found: list[OperationId] = []
-    for spot in _most_wanted_first(context.task) if count else ():
+    for spot in _most_wanted_first(context.task):
         if len(found) >= count:
             break
-        if any(can_drive(context, site, r, spot, holding.piece) for r in _drivers(context, spot)):
+        if any(ways.can_drive(site, r, spot) for r in _drivers(context, spot)):
             found.append(spot.operation)
         elif spot.needs_hold:
             break
@@ -114,22 +190,6 @@ def held_site(context: TwinContext, holding: Holding, gripper: EndEffector) -> J
         world_T_piece={**site.world_T_piece, holding.piece: task.world_T_target},
         steadied={**site.steadied, holding.piece: holding.robot},
     )
-
-
-def can_drive(
-    context: TwinContext, site: Jobsite, robot: Robot, spot: Spot, piece: ComponentId
-) -> bool:
-    """Tell whether a robot reaches a fastener, with any tilt that its tool allows."""
-    tool = tool_for(site, robot, spot)
-    if tool is None:
-        return False
-    scene = scene_of(with_tool(site, robot.id, tool))
-    reaching = Reaching(backends=context.backends, scene=scene, robot=robot.id)
-    for pose in tool_poses(spot, tool, has_yaw=False):
-        touch = spot_touch(tool, spot.body(piece), pose)
-        if next(iter(Approaches(reaching, touch, robot.home_q_rad)), None) is not None:
-            return True
-    return False
 
 
 def _drivers(context: TwinContext, spot: Spot) -> list[Robot]:

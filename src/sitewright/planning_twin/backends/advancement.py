@@ -11,6 +11,7 @@ from sitewright.planning_twin.backends.distances import EPS_M, DistanceEngine, l
 from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.pair_table import Indices
 from sitewright.planning_twin.backends.path_lines import Intervals, PathLines, equal_intervals
+from sitewright.planning_twin.backends.placed_parts import PlacedParts
 from sitewright.planning_twin.backends.proof_scene import ProofScene
 from sitewright.planning_twin.backends.team_pairs import tables_of
 from sitewright.planning_twin.motion import JointPath, TeamPath
@@ -139,11 +140,11 @@ class Advancement:
         travel = self._travel_m[line, asked.row] * asked.intervals.half[asked.interval]
         return self._tau_m[line, asked.row], travel
 
-    def _placed(self, intervals: Intervals) -> Array:
+    def _placed(self, intervals: Intervals) -> PlacedParts:
         q = self._lines.at(intervals.line, intervals.middle)
         return self._proof.placed_together(self._robots, q)
 
-    def _distances(self, placed: Array, posture: Indices, row: Indices) -> Array:
+    def _distances(self, placed: PlacedParts, posture: Indices, row: Indices) -> Array:
         self.evaluations += len(row)
         return self._engine.distances(self._proof.layout, placed, self._table, posture, row)
 

@@ -71,7 +71,7 @@ class ConservativeAdvancement(Certifier):
 
     def _standing_too_near(self, proof: ProofScene, path: JointPath | TeamPath) -> NotClear | None:
         _, table = tables_of(proof.layout, path.robots)
-        placed = proof.world_T_part[None]
+        placed = proof.standing()
         rows = np.arange(len(table.a))
         first = np.zeros(len(rows), dtype=np.intp)
         bounds = lower_bounds(proof.layout, placed, table, first, rows)

@@ -9,6 +9,7 @@ import numpy as np
 from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.layout import Layout
 from sitewright.planning_twin.backends.pair_table import Indices, PairTable
+from sitewright.planning_twin.backends.placed_parts import PlacedParts
 
 EPS_M = 1e-5
 """Reserve for the distance engine's own error (2e-6 m measured at its default tolerance)."""
@@ -19,7 +20,7 @@ Pairwise = tuple[Array, Array]
 
 
 def lower_bounds(
-    layout: Layout, placed: Array, table: PairTable, posture: Indices, row: Indices
+    layout: Layout, placed: PlacedParts, table: PairTable, posture: Indices, row: Indices
 ) -> Array:
     """Return a distance that each pair surely keeps, negative where nothing can be said.
 
@@ -28,19 +29,20 @@ def lower_bounds(
 
     Args:
         layout: Parts.
-        placed: m x n x 4 x 4, world_T_part in every posture.
+        placed: The parts in every posture.
         table: Pairs.
         posture: For each question, the number of the posture.
         row: For each question, the row in `table`.
     """
     a, b = table.a[row], table.b[row]
-    middles = placed[:, :, :3, 3]
-    between = middles[posture, b] - middles[posture, a]
+    at_a, at_b = placed.at(posture, a), placed.at(posture, b)
+    middles = placed.frames[:, :3, 3]
+    between = middles[at_b] - middles[at_a]
     bounds = _lengths(between) - (layout.radius_m[a] + layout.radius_m[b])
     close = np.flatnonzero(bounds < _BALL_SUFFICES_M)
     if len(close):
-        a, b, posture = a[close], b[close], posture[close]
-        frames = (placed[posture, a], placed[posture, b])
+        a, b = a[close], b[close]
+        frames = (placed.frames[at_a[close]], placed.frames[at_b[close]])
         halves = (layout.half_m[a], layout.half_m[b])
         boxes = box_gaps(frames, halves, (layout.radius_m[a], layout.radius_m[b]))
         bounds[close] = np.maximum(bounds[close], boxes)
@@ -108,15 +110,20 @@ class DistanceEngine:
         return f"coal {self._coal.__version__}"
 
     def distances(
-        self, layout: Layout, placed: Array, table: PairTable, posture: Indices, row: Indices
+        self,
+        layout: Layout,
+        placed: PlacedParts,
+        table: PairTable,
+        posture: Indices,
+        row: Indices,
     ) -> Array:
         """Return the signed distance of each pair, minus the penetration depth if they overlap."""
         out = np.empty(len(row))
-        questions = zip(posture.tolist(), row.tolist(), strict=True)
-        parts_a, parts_b = table.a.tolist(), table.b.tolist()
-        for k, (m, p) in enumerate(questions):
-            a, b = parts_a[p], parts_b[p]
-            frame_a, frame_b = placed[m, a], placed[m, b]
+        parts = (table.a[row], table.b[row])
+        places = (placed.at(posture, part) for part in parts)
+        numbers = (n.tolist() for n in (row, *parts, *places))
+        for k, (p, a, b, at_a, at_b) in enumerate(zip(*numbers, strict=True)):
+            frame_a, frame_b = placed.frames[at_a], placed.frames[at_b]
             self._pose_a.setTransform(frame_a[:3, :3], frame_a[:3, 3])
             self._pose_b.setTransform(frame_b[:3, :3], frame_b[:3, 3])
             # a result keeps the smallest distance that it ever saw until it is cleared

@@ -18,6 +18,7 @@ from sitewright.planning_twin.backends.convex_part import compiled
 from sitewright.planning_twin.backends.identity_cache import IdentityCache
 from sitewright.planning_twin.backends.kinematic_chain import Array, matrix_of
 from sitewright.planning_twin.backends.layout import Layout, attachment, laid_out
+from sitewright.planning_twin.backends.placed_parts import PlacedParts
 from sitewright.planning_twin.backends.remembered import Remembered
 from sitewright.planning_twin.scene import Body, SceneSnapshot
 from sitewright.robot_team.description import Description
@@ -42,22 +43,29 @@ class ProofScene:
     world_T_part: Array
     clearance_m: float
 
-    def placed(self, robot: RobotId, q: Array) -> Array:
-        """Return world_T_part for each posture (row) of one robot, m x n x 4 x 4."""
+    def placed(self, robot: RobotId, q: Array) -> PlacedParts:
+        """Return all parts in each posture (row) of one robot."""
         return self.placed_together((robot,), q)
 
-    def placed_together(self, robots: tuple[RobotId, ...], q: Array) -> Array:
-        """Return world_T_part for each row of postures of some robots, one after the other."""
+    def placed_together(self, robots: tuple[RobotId, ...], q: Array) -> PlacedParts:
+        """Return all parts for each row of postures of some robots, one after the other."""
         layout = self.layout
-        out = np.repeat(self.world_T_part[None], len(q), axis=0)
-        first = 0
+        rows = np.concatenate([layout.rows_of[r] for r in robots])
+        moved = np.empty((len(q), len(rows), 4, 4))
+        first = part = 0
         for robot in robots:
             chain = layout.arms[robot].chain
             frames = self.world_T_base[robot] @ chain.frames(q[:, first : first + chain.joints])
+            parts = slice(part, part + len(layout.rows_of[robot]))
             carried_by = frames[:, layout.joints_of[robot]]
-            out[:, layout.rows_of[robot]] = carried_by @ layout.joint_T_part_of[robot]
-            first += chain.joints
-        return out
+            moved[:, parts] = carried_by @ layout.joint_T_part_of[robot]
+            first, part = first + chain.joints, parts.stop
+        return PlacedParts.of(self.world_T_part, rows, moved)
+
+    def standing(self) -> PlacedParts:
+        """Return all parts as the snapshot has them."""
+        none = np.empty(0, dtype=np.intp)
+        return PlacedParts.of(self.world_T_part, none, np.empty((1, 0, 4, 4)))
 
 
 class ProofScenes:
@@ -99,7 +107,7 @@ class ProofScenes:
         for robot, state in scene.robots.items():
             rows = layout.rows_of[robot]
             posture = np.array([state.q_rad], dtype=np.float64)
-            world_T_part[rows] = proof.placed(robot, posture)[0, rows]
+            world_T_part[rows] = proof.placed(robot, posture).in_every_posture(rows)[0]
         return proof
 
     def _standing(self, body: Body) -> Array:
