@@ -49,6 +49,7 @@ def the(code: str, found: list[Problem]) -> Problem:
     [
         ("wooden_frame", "cell.toml"),
         ("wooden_frame", "cell.mirrored.toml"),
+        ("wooden_frame", "cell.wide.toml"),
         ("painted_frame", "cell.toml"),
     ],
 )

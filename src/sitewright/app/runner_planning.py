@@ -16,6 +16,7 @@ from sitewright.central_controller.events import (
     StepSummary,
     TargetRefused,
     TargetSelected,
+    TargetWaits,
 )
 from sitewright.central_controller.ports import Escalation, NothingToDo, Planned
 from sitewright.central_controller.proposal import Proposal
@@ -42,6 +43,8 @@ def plan_next(run: Run, exclude: frozenset[ComponentId]) -> Iterator[AnyEvent]:
     outcome = run.ports.planner.propose(run.context(seen), exclude=exclude)
     match outcome:
         case Planned():
+            until = outcome.proposal.target
+            yield from (TargetWaits(target=t, until=until) for t in outcome.waits)
             yield TargetSelected(target=outcome.proposal.target)
             yield from _proposed(run, outcome, is_single=False)
         case Escalation():
@@ -54,6 +57,7 @@ def plan_next(run: Run, exclude: frozenset[ComponentId]) -> Iterator[AnyEvent]:
                 exit_code=outcome.exit_code,
                 timing_s=outcome.timing_s,
                 blockers=outcome.blockers,
+                counter_proposals=outcome.counter_proposals,
             )
         case NothingToDo():
             yield finished(run)

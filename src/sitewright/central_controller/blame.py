@@ -33,12 +33,12 @@ def reason_for(target: ComponentId, otherwise: str, blame: MinimalReason) -> str
         blame: What is to blame.
     """
     if blame.alone:
-        lead = "This would help" if len(blame.alone) == 1 else "Any one of these would help"
+        lead = "This might help" if len(blame.alone) == 1 else "Any one of these might help"
         return f"{target}: {_evidence(blame.alone)}. {lead}: {_remedies(blame.alone)}."
     if blame.together:
         return (
             f"{target}: {_evidence(blame.together)}. "
-            f"All of these are needed: {_remedies(blame.together)}."
+            f"All of these may be needed: {_remedies(blame.together)}."
         )
     return f"{target}: {otherwise}"
 

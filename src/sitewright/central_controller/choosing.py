@@ -37,10 +37,22 @@ def front_target(
     waiting = [t for t in target_queue(graph) if t not in out]
     started = [t for t in waiting if t in context.site.placed]
     ready = [t for t in waiting if is_ready(graph, target_node(graph, t))]
-    later = put_off(context.site.rejections)
+    waiting_for = context.site.waiting.items()
+    unbuilt = {t for t, first in waiting_for if first not in context.site.installed}
+    later = put_off(context.site.rejections) | unbuilt
     ready.sort(key=lambda t: (t in later, not _held(design, graph, context, t)))
     supplied = (t for t in ready if choices_of_pieces(design, graph, context, t) != [()])
     return next(iter(started), None) or next(supplied, None) or next(iter(ready), None)
+
+
+def other_ready_targets(
+    graph: ConstructionGraph, context: SiteContext, target: ComponentId
+) -> list[ComponentId]:
+    """Return the targets that could be built before one, in construction order."""
+    site = context.site
+    out = {target, *site.excluded, *site.installed}
+    waiting = (t for t in target_queue(graph) if t not in out)
+    return [t for t in waiting if is_ready(graph, target_node(graph, t))]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

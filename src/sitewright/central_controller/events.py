@@ -9,7 +9,7 @@ from typing import ClassVar, get_args
 from sitewright.central_controller.approval import Approval
 from sitewright.central_controller.codec import DecodeError, from_json, to_json
 from sitewright.central_controller.decision import DecisionRecord
-from sitewright.central_controller.ports import Answer, Question, RefusalNote
+from sitewright.central_controller.ports import Answer, CounterProposal, Question, RefusalNote
 from sitewright.central_controller.site_state import DrawnZone, Rejection
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import (
@@ -167,6 +167,17 @@ class TargetRefused:
     exit_code: int
     timing_s: Mapping[str, float] = field(default_factory=dict)
     blockers: tuple[str, ...] = ()
+    counter_proposals: tuple[CounterProposal, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TargetWaits:
+    """A target has no plan before another one is built, and has one afterwards."""
+
+    kind: ClassVar[str] = "target_waits"
+    version: ClassVar[int] = 1
+    target: ComponentId
+    until: ComponentId
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -499,6 +510,7 @@ AnyEvent = (
     | TargetSelected
     | RefusalMet
     | TargetRefused
+    | TargetWaits
     | ProposalMade
     | ProposalSuperseded
     | ApprovalGiven

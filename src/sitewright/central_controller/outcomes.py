@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from sitewright.central_controller.ports import Escalation, Planned, RefusalNote, SiteContext
+from sitewright.central_controller.ports import (
+    CounterProposal,
+    Escalation,
+    Planned,
+    RefusalNote,
+    SiteContext,
+)
 from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.central_controller.target_outcome import TargetPlan, TargetRefusal
 from sitewright.foundation.ids import ComponentId
@@ -77,9 +83,18 @@ def planned(
     proposal: Proposal,
     plan: TargetPlan,
     timing_s: Mapping[str, float],
+    wanted: ComponentId,
 ) -> Planned:
-    """Return a proposal with the texts that it came from."""
+    """Return a proposal with the texts that it came from.
+
+    Args:
+        proposal: What is asked for.
+        plan: What it was made of.
+        timing_s: Where the time went.
+        wanted: The target that came first; if the plan builds another one, it waits for that.
+    """
     return Planned(
+        waits=() if plan.target == wanted else (wanted,),
         proposal=proposal,
         attachments=_texts(plan),
         refusals=tuple(dict.fromkeys(plan.notes)),
@@ -101,18 +116,30 @@ def escalation(
     target: ComponentId,
     refused: TargetRefusal,
     timing_s: Mapping[str, float],
+    helps: tuple[CounterProposal, ...] = (),
 ) -> Escalation:
-    """Return what a person is told when neither planner goes on."""
+    """Return what a person is told when neither planner goes on.
+
+    Args:
+        target: What has no plan.
+        refused: Why.
+        timing_s: Where the time went.
+        helps: Changes with which it has one.
+    """
+    tried = "; or ".join(f"{h.words} ({h.steps} steps)" for h in helps)
     code = _NO_PLAN_PROVEN if refused.is_proven else _NO_MOTION
     return Escalation(
         target=target,
-        reason=refused.reason,
+        reason=f"{refused.reason} Tried on a copy, and it works: {tried}."
+        if tried
+        else refused.reason,
         is_proven=refused.is_proven,
         exit_code=_LIMIT if refused.is_limit else code,
         attachments={"domain": refused.problem.domain.text, "problem": refused.problem.text},
         refusals=tuple(dict.fromkeys(refused.notes)),
         timing_s=timing_s,
         blockers=refused.blockers,
+        counter_proposals=helps,
     )
 
 

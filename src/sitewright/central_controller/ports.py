@@ -79,13 +79,30 @@ class Planned:
     Attributes:
         attachments: Texts for the run folder's ``pddl/``: ``domain``, ``problem``, ``plan``.
         refusals: Those met on the way to it.
+        waits: Targets that come before in the queue, and have no plan until this one is built.
         timing_s: ``symbolic``, ``motion``, ``certificate`` and ``total``.
     """
 
     proposal: Proposal
     attachments: Mapping[str, str] = field(default_factory=dict)
     refusals: tuple[RefusalNote, ...] = ()
+    waits: tuple[ComponentId, ...] = ()
     timing_s: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CounterProposal:
+    """A change that was made on a copy of model, cell or site, and with which a plan was found.
+
+    Attributes:
+        words: What to change: ``move the stack at pallet-2 by 0.3 m towards kr120-a``.
+        steps: Of the target's plan after the change, all motions certified.
+        duration_s: Of that plan.
+    """
+
+    words: str
+    steps: int
+    duration_s: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,6 +113,7 @@ class Escalation:
         reason: The minimal reason and what would help, in sentences.
         exit_code: 4 proven that no plan exists, 5 a limit was reached, 6 no motion.
         blockers: The fewest things that are in the way, if things are.
+        counter_proposals: What would help, tried on a copy.
     """
 
     target: ComponentId
@@ -106,6 +124,7 @@ class Escalation:
     refusals: tuple[RefusalNote, ...] = ()
     timing_s: Mapping[str, float] = field(default_factory=dict)
     blockers: tuple[str, ...] = ()
+    counter_proposals: tuple[CounterProposal, ...] = ()
 
     @property
     def verdict(self) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from sitewright.central_controller.choosing import choices_of_pieces, front_target
+from sitewright.central_controller.counter_proposals import Adviser
 from sitewright.central_controller.design import Design
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.other_ways import can_come_next, continuation, other_ways
@@ -77,11 +78,13 @@ class Proposals:
             return standing_on_nothing(target, self.unsupported[target])
         watch, before_s = Stopwatch(clock=self.ports.clock), self.ports.certifying_s()
         outcome = Recovery(surveyor=self.surveyor, target=target, watch=watch).plan(context)
-        timing_s = self._timing(watch, before_s)
         if isinstance(outcome, TargetRefusal):
-            return escalation(target, outcome, timing_s)
-        proposal = proposal_of(context, target, steps_of(outcome), self.identity)
-        return planned(proposal, outcome, timing_s)
+            adviser = Adviser(surveyor=self.surveyor, target=target, watch=watch)
+            helps = adviser.counter_proposals(context, outcome)
+            return escalation(target, outcome, self._timing(watch, before_s), helps)
+        timing_s = self._timing(watch, before_s)
+        proposal = proposal_of(context, outcome.target, steps_of(outcome), self.identity)
+        return planned(proposal, outcome, timing_s, target)
 
     @property
     def surveyor(self) -> Surveyor:

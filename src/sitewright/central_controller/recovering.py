@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-from sitewright.central_controller.choosing import choices_of_pieces
+from sitewright.central_controller.choosing import choices_of_pieces, other_ready_targets
 from sitewright.central_controller.errands import free_buffers, lying_on_buffer
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.outcomes import steps_of
 from sitewright.central_controller.ports import RefusalNote, SiteContext
-from sitewright.central_controller.rehearsal import carried_out
+from sitewright.central_controller.rehearsal import built, carried_out
 from sitewright.central_controller.surveying import Surveyor
 from sitewright.central_controller.target_outcome import TargetPlan, TargetRefusal
 from sitewright.central_controller.target_planning import plan_target
@@ -48,50 +48,67 @@ class Recovery:
 
     def plan(self, context: SiteContext) -> TargetPlan | TargetRefusal:
         """Plan the target, if need be after pieces were moved."""
-        outcome = self._by_itself(context)
+        outcome = self.by_itself(context)
         if isinstance(outcome, TargetPlan):
             return outcome
-        for rung in (self._by_way_of_buffers, self._cleared):
+        for rung in (self._in_another_order, self._by_way_of_buffers, self._cleared):
             found = next(rung(context, outcome), None)
             if found is not None:
                 answered = answered_by(outcome.notes, found.words)
                 return replace(found.plan, notes=(*answered, *found.plan.notes))
         return outcome
 
-    def _by_itself(self, context: SiteContext) -> TargetPlan | TargetRefusal:
+    def by_itself(self, context: SiteContext) -> TargetPlan | TargetRefusal:
         """Plan the target, widening the choice of pieces if geometry refuses."""
         surveyor, notes = self.surveyor, list[RefusalNote]()
         graph = surveyor.graph_of(context)
         choices = choices_of_pieces(surveyor.design, graph, context, self.target)
         for candidates in choices:
             notes = [*answered_by(notes, f"{candidates[-1]} may be taken")] if notes else notes
-            outcome = self._made_of(context, candidates)
+            outcome = self.made_of(context, candidates)
             notes += outcome.notes
             if isinstance(outcome, TargetPlan):
                 break
         return replace(outcome, notes=tuple(notes))
 
-    def _made_of(
+    def made_of(
         self, context: SiteContext, candidates: tuple[ComponentId, ...]
     ) -> TargetPlan | TargetRefusal:
+        """Plan the target from some pieces only, and on the site as it is."""
         surveyor = self.surveyor
         graph = surveyor.graph_of(context)
         found = surveyor.situation(graph, context, self.target, candidates, self.watch)
         return plan_target(surveyor.ports, found.twin, found.study, found.view, self.watch)
 
+    def _in_another_order(
+        self, context: SiteContext, refusal: TargetRefusal
+    ) -> Iterator[_WayRound]:
+        """Yield plans of other targets that are made of what is in the way of this one."""
+        if self.target in context.site.placed:
+            return
+        graph = self.surveyor.graph_of(context)
+        for other in other_ready_targets(graph, context, self.target):
+            for piece in pieces_in_the_way(self.surveyor, context, refusal, other):
+                first = replace(self, target=other).made_of(context, (piece,))
+                if isinstance(first, TargetPlan):
+                    after = built(context, steps_of(first), other)
+                    if isinstance(self.by_itself(after), TargetPlan):
+                        words = f"{other} is built first, of {piece}, which is in the way"
+                        yield _WayRound(first, words)
+
     def _by_way_of_buffers(
         self, context: SiteContext, refusal: TargetRefusal
     ) -> Iterator[_WayRound]:
         """Yield plans in which a piece is laid down first: for another robot, or another grasp."""
-        for piece in refusal.elsewhere[:_MOST_BROUGHT]:
+        for piece in refusal.start_matters[:_MOST_BROUGHT]:
             for place in self._buffers(context, piece):
                 if not self._serves_from(context, piece, place):
                     continue
                 for moved in self._errands(context, piece, place):
                     after = carried_out(context, steps_of(moved), self.target)
-                    built = self._made_of(after, (piece,))
-                    if isinstance(built, TargetPlan):
-                        yield _WayRound(built.after(moved), _brought(moved, built, place))
+                    rest = self.made_of(after, (piece,))
+                    if isinstance(rest, TargetPlan):
+                        yield _WayRound(rest.after(moved), _brought(moved, rest, place))
 
     def _serves_from(self, context: SiteContext, piece: ComponentId, place: str) -> bool:
         """Tell whether a robot could take a piece from a buffer and place it at the target."""
@@ -116,7 +133,7 @@ class Recovery:
         self, context: SiteContext, pieces: list[ComponentId]
     ) -> Iterator[TargetPlan]:
         if not pieces:
-            outcome = self._by_itself(context)
+            outcome = self.by_itself(context)
             if isinstance(outcome, TargetPlan):
                 yield outcome
             return
@@ -157,10 +174,19 @@ def answered_by(notes: Iterable[RefusalNote], then: str) -> tuple[RefusalNote, .
     return tuple(n if n.then else replace(n, then=then) for n in notes)
 
 
-def _brought(moved: TargetPlan, built: TargetPlan, place: str) -> str:
+def _brought(moved: TargetPlan, rest: TargetPlan, place: str) -> str:
     """Return how a piece goes by way of a buffer: from hand to hand, or to be held otherwise."""
     by = next(c.robot for c in moved.parts[-1].motions.calls if c.skill == Skill.SET_DOWN)
-    takes = next(c.robot for c in built.parts[-1].motions.calls if c.skill == Skill.GRASP)
+    takes = next(c.robot for c in rest.parts[-1].motions.calls if c.skill == Skill.GRASP)
     if by == takes:
         return f"{by} lays it down at {place} and takes it differently"
     return f"{by} lays it down at {place}, where {takes} takes it"
+
+
+def pieces_in_the_way(
+    surveyor: Surveyor, context: SiteContext, refusal: TargetRefusal, other: ComponentId
+) -> list[ComponentId]:
+    """Return the pieces of which each is all that is in the way, and may become another target."""
+    graph = surveyor.graph_of(context)
+    fitting = choices_of_pieces(surveyor.design, graph, context, other)[-1]
+    return [p for p in fitting if (p,) in refusal.removals]

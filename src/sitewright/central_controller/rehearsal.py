@@ -56,13 +56,14 @@ def initial_observation(model: BuildingModel, cell: Cell, graph: ConstructionGra
 
 def rehearsed(context: SiteContext, proposal: Proposal) -> SiteContext:
     """Return the context as if a proposal for a whole target had been carried out exactly."""
-    context = carried_out(context, proposal.steps, proposal.target)
+    return built(context, proposal.steps, proposal.target)
+
+
+def built(context: SiteContext, steps: Iterable[ProposedStep], target: ComponentId) -> SiteContext:
+    """Return the context as if the steps that build a target had been carried out exactly."""
+    context = carried_out(context, steps, target)
     site = context.site
-    site = replace(
-        site,
-        standing=site.standing | {proposal.target},
-        installed=(*site.installed, proposal.target),
-    )
+    site = replace(site, standing=site.standing | {target}, installed=(*site.installed, target))
     return replace(context, site=site)
 
 

@@ -18,6 +18,7 @@ from sitewright.central_controller.events import (
     RunStarted,
     SiteObserved,
     TargetRefused,
+    TargetWaits,
     ZoneDrawn,
     ZoneRemoved,
 )
@@ -26,13 +27,13 @@ from sitewright.central_controller.site_state import PlacedPiece, SiteState
 from sitewright.foundation.ids import RobotId
 
 
-def site_after(  # noqa: PLR0911 -- one line per kind of event
+def site_after(  # noqa: C901, PLR0911 -- one line per kind of event
     site: SiteState, event: AnyEvent
 ) -> SiteState:
     """Return the site after an event; events that are not about the site change nothing."""
     match event:
         case RunStarted():
-            return replace(site, refused={}, rejections=())
+            return replace(site, refused={}, rejections=(), waiting={})
         case DesignChanged():
             return _redesigned(site, event)
         case SiteObserved():
@@ -41,6 +42,8 @@ def site_after(  # noqa: PLR0911 -- one line per kind of event
             return replace(site, serial=site.serial + 1)
         case TargetRefused(target=target, reason=reason):
             return replace(site, refused={**site.refused, target: reason})
+        case TargetWaits(target=target, until=until):
+            return replace(site, waiting={**site.waiting, target: until})
         case ApprovalRejected(rejection=rejection):
             return replace(site, rejections=(*site.rejections, rejection))
         case ZoneDrawn() | ZoneRemoved():
@@ -70,6 +73,7 @@ def _redesigned(site: SiteState, event: DesignChanged) -> SiteState:
         sensed=seen,
         installed=tuple(t for t in site.installed if t not in event.reopened),
         refused={},
+        waiting={},
     )
 
 

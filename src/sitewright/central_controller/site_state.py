@@ -83,6 +83,8 @@ class SiteState:
         refused: Targets set aside in this run, with the reason.
         rejections: What people refused in this run.
         zones: What people drew to be kept out of, beside the zones of the cell.
+        waiting: Targets that wait until another one is installed, because they have no plan
+            before.
     """
 
     targets: tuple[ComponentId, ...] = ()
@@ -98,6 +100,7 @@ class SiteState:
     refused: Mapping[ComponentId, str] = field(default_factory=dict)
     rejections: tuple[Rejection, ...] = ()
     zones: Mapping[ZoneId, DrawnZone] = field(default_factory=dict)
+    waiting: Mapping[ComponentId, ComponentId] = field(default_factory=dict)
 
     @property
     def is_complete(self) -> bool:

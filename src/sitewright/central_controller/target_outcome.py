@@ -11,6 +11,7 @@ from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.feedback import Lessons, refused_call, removals_of_refused
 from sitewright.planning_twin.jobsite import Jobsite
+from sitewright.planning_twin.refusal import BlockedBy, Refusal
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal
 from sitewright.planning_twin.study import Study
 from sitewright.planning_twin.tacking import Holding
@@ -59,7 +60,9 @@ class TargetRefusal:
     Attributes:
         is_limit: A budget ended; more rounds might help.
         removals: Smallest sets of bodies and robots without which there might be a plan.
-        elsewhere: Pieces that might serve if they lay, or were held, differently.
+        start_matters: Pieces that might serve if they lay, or were held, differently.
+        has_buffers: There are places in the cell to lay them down.
+        blamed: Facts without whose refusal there might be a plan.
     """
 
     problem: Problem
@@ -68,7 +71,9 @@ class TargetRefusal:
     is_limit: bool
     notes: tuple[RefusalNote, ...]
     removals: tuple[tuple[str, ...], ...] = ()
-    elsewhere: tuple[ComponentId, ...] = ()
+    start_matters: tuple[ComponentId, ...] = ()
+    has_buffers: bool = False
+    blamed: tuple[Fact, ...] = ()
 
     @property
     def blockers(self) -> tuple[str, ...]:
@@ -89,16 +94,18 @@ def no_plan_left(
     A proof over facts is one over the site only if every fact taken away was proven. Nor is it
     one if a piece might be taken and placed from a buffer.
     """
-    elsewhere = from_elsewhere(study, pieces_to_blame(blame))
+    start_matters = tuple(p for p in pieces_to_blame(blame) if study.depends_on_start(p))
     is_proven = no.is_proven and all(n.is_proven for n in lessons.nogoods)
     return TargetRefusal(
         problem=problem,
         reason=reason_for(problem.target, no.reason, blame),
-        is_proven=is_proven and not elsewhere,
+        is_proven=is_proven and not (start_matters and study.has_buffers),
         is_limit=not no.is_proven,
         notes=tuple(notes),
         removals=removals_of(blame),
-        elsewhere=elsewhere,
+        start_matters=start_matters,
+        has_buffers=study.has_buffers,
+        blamed=tuple(dict.fromkeys(n.fact for n in (*blame.alone, *blame.together))),
     )
 
 
@@ -106,24 +113,24 @@ def given_up(
     problem: Problem,
     reason: str,
     notes: Iterable[RefusalNote],
-    elsewhere: tuple[ComponentId, ...],
+    study: Study,
+    candidates: Iterable[ComponentId],
     *,
     is_limit: bool = False,
 ) -> TargetRefusal:
     """Return the refusal of a target whose motions failed too often; never a proof."""
+    told = tuple(notes)
+    blockers = told[-1].blockers if told else ()
     return TargetRefusal(
         problem=problem,
         reason=reason,
         is_proven=False,
         is_limit=is_limit,
-        notes=tuple(notes),
-        elsewhere=elsewhere,
+        notes=told,
+        removals=(blockers,) if blockers else (),
+        start_matters=tuple(p for p in candidates if study.depends_on_start(p)),
+        has_buffers=study.has_buffers,
     )
-
-
-def from_elsewhere(study: Study, pieces: Iterable[ComponentId]) -> tuple[ComponentId, ...]:
-    """Return the pieces that might serve if they lay, or were held, differently."""
-    return tuple(p for p in pieces if study.might_serve_from_elsewhere(p))
 
 
 def note_of_motion(
@@ -190,12 +197,17 @@ def notes_of_choices(
             reason=f"{call.robot} cannot stand upright on {call.arguments[0]}: "
             f"{in_words(skill.chosen.refusal)}",
             is_proven=is_proof(skill.chosen.refusal),
+            blockers=_blockers(skill.chosen.refusal),
             then=f"it leans ({skill.chosen.label})",
         )
         for call, skill in zip(motions.calls, motions.skills, strict=True)
         if skill.chosen is not None
     )
     return (*held, *leaning)
+
+
+def _blockers(refusal: Refusal) -> tuple[str, ...]:
+    return next(iter(refusal.removals), ()) if isinstance(refusal, BlockedBy) else ()
 
 
 def _note_of_grasp(target: ComponentId, holding: Holding, world_T_piece: Pose) -> RefusalNote:

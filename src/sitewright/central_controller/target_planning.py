@@ -12,7 +12,6 @@ from sitewright.central_controller.target_outcome import (
     PlanPart,
     TargetPlan,
     TargetRefusal,
-    from_elsewhere,
     given_up,
     no_plan_left,
     note_of_motion,
@@ -133,8 +132,8 @@ class _Loop:
 
     def give_up(self, reason: str, *, is_limit: bool = False) -> TargetRefusal:
         """Return the refusal after too many tries."""
-        elsewhere = from_elsewhere(self.study, self.view.candidates)
-        return given_up(self.problem, reason, self._all_notes(), elsewhere, is_limit=is_limit)
+        notes, candidates = self._all_notes(), self.view.candidates
+        return given_up(self.problem, reason, notes, self.study, candidates, is_limit=is_limit)
 
     def _all_notes(self) -> tuple[RefusalNote, ...]:
         return (*notes_of_study(self.view.target, self.study), *self.notes)

@@ -135,6 +135,8 @@ def _plan_lines(planned: Planned, labels: Labels, *, is_long: bool) -> tuple[str
 
 
 def _plan_document(found: PlanReport) -> dict[str, Json]:
+    from dataclasses import asdict
+
     from sitewright.central_controller.fingerprint import fingerprint
     from sitewright.interaction_twin.report.figures import refusal_json
 
@@ -159,6 +161,7 @@ def _plan_document(found: PlanReport) -> dict[str, Json]:
             "is_proven": e.is_proven,
             "verdict": e.verdict,
             "blockers": list(e.blockers),
+            "counter_proposals": [asdict(c) for c in e.counter_proposals],
         }
         for e in found.escalated
     ]

@@ -24,6 +24,7 @@ from sitewright.central_controller.events import (
     SkillOutcome,
     SkillReconciled,
     TargetRefused,
+    TargetWaits,
     ZoneDrawn,
     ZoneRemoved,
 )
@@ -102,7 +103,9 @@ def _proposal_line(event: ProposalMade, labels: Labels) -> str:
     )
 
 
-def _trouble_line(event: AnyEvent, labels: Labels) -> str:
+def _trouble_line(  # noqa: PLR0911 -- one line per kind of event
+    event: AnyEvent, labels: Labels
+) -> str:
     """Return what went otherwise than planned."""
     match event:
         case RefusalMet(refusal=note):
@@ -111,6 +114,8 @@ def _trouble_line(event: AnyEvent, labels: Labels) -> str:
             return f"  {where}: {told}"
         case TargetRefused(target=target, reason=reason):
             return f"! {labels.name(target)} cannot be built now: {labels.told(reason)}"
+        case TargetWaits(target=target, until=until):
+            return f"  {labels.name(target)} waits until {labels.name(until)} is built"
         case DeviationSeen(subject=subject, what=what):
             return f"  ! {labels.name(subject)}: {labels.told(what)}"
         case SkillReconciled(verdict=verdict, evidence=evidence):

@@ -53,16 +53,15 @@ class Study:
     lies_at: Mapping[ComponentId, PlaceId] = field(default_factory=dict)
     has_buffers: bool = False
 
-    def might_serve_from_elsewhere(self, piece: ComponentId) -> bool:
-        """Tell whether a piece might be taken and placed if it lay on a buffer before.
+    def depends_on_start(self, piece: ComponentId) -> bool:
+        """Tell whether a piece might be taken and placed if it lay, or were held, differently.
 
         Not if all that refuse it would refuse it anywhere: too heavy, or the target is too far.
         """
         told = [r.refusal for r in self.refusals if r.piece == piece]
         is_served = any(p == piece for _, p in self.holdings)
         is_held = bool(told) and piece not in self.lies_at
-        is_better = is_served or is_held or any(depends_on_start(r) for r in told)
-        return self.has_buffers and is_better
+        return is_served or is_held or any(depends_on_start(r) for r in told)
 
     @property
     def nogoods(self) -> tuple[Nogood, ...]:

@@ -227,6 +227,7 @@ def _refusals(events: Sequence[AnyEvent]) -> tuple[RefusalNote, ...]:
             reason=e.reason,
             is_proven=e.is_proven,
             blockers=e.blockers,
+            then="; or ".join(f"would work: {c.words}" for c in e.counter_proposals),
         )
         for e in events
         if isinstance(e, TargetRefused)
