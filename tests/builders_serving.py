@@ -46,7 +46,8 @@ class ThreadLink:
         alive = self._thread is not None and self._thread.is_alive()
         return os.getpid() if alive else None
 
-    async def start(self, hear: Hear) -> None:
+    async def start(self, hear: Hear, *, waits: bool = False) -> None:
+        assert not waits  # a thread cannot die by itself
         to_worker, to_server = os.pipe(), os.pipe()
         channel = Channel(os.fdopen(to_worker[0], "rb"), os.fdopen(to_server[1], "wb"))
         self._thread = threading.Thread(target=self._work, args=(channel,), daemon=True)

@@ -180,3 +180,26 @@ def test_nothing_is_decided_when_the_journal_cannot_be_written(
     assert "nothing decided" in answer.json()["message"]
     assert journal(served, "approval_given") == []
     assert wait_for(page, lambda s: s["phase"] == "broken")["words"]
+
+
+def test_only_a_person_settles_an_unknown_outcome_and_the_journal_says_who(
+    served: Served,
+) -> None:
+    """A nail that is reported as driven and is not sensed is a question, never a guess."""
+    page = served.local()
+    support = waiting(page)
+    page.post("/api/decisions", json=approval(support))
+    second = waiting(page, other_than=support["fingerprint"])
+    page.post("/api/decisions", json=approval(second))
+    stud = waiting(page, other_than=second["fingerprint"])
+    served.site.pretend.add("fasten")
+    page.post("/api/decisions", json=approval(stud))
+    state = wait_for(page, lambda s: s["phase"] == "question")
+    question = state["question"]
+    answer = {"verb": "answer", "key": "the-answer", "question_id": question["question_id"]}
+    wrong = page.post("/api/decisions", json={**answer, "question_id": "x", "answer": "done"})
+    assert (wrong.status_code, wrong.json()["error"]) == (409, "not-asked")
+    assert page.post("/api/decisions", json={**answer, "answer": "done"}).status_code == 200
+    (answered,) = journal(served, "question_answered")
+    assert (answered["who"], answered["answer"]) == ("local", "done")
+    assert answered["decision"]["role"] == "admin"

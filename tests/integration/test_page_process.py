@@ -18,7 +18,7 @@ import psutil
 import pytest
 from websockets.sync.client import connect
 
-from builders_serving import approval, waiting
+from builders_serving import approval, wait_for, waiting
 from sitewright.app.project import new_project
 from sitewright.app.serving.history import history_of
 from sitewright.central_controller.events import AnyEvent, RunHeld, SkillIntent
@@ -140,6 +140,7 @@ def test_a_killed_server_holds_the_robots_and_the_next_one_goes_on(
         assert events(heard) + events(missed) == numbers
         assert kinds(missed)[-1] == "run_held"
         _resume_and_build(server.page, proposal["fingerprint"])
+        _kill_the_run_and_resume(server.page)
         server.process.send_signal(signal.SIGINT)
         assert server.process.wait(PATIENCE_S) == 0
     said = capfd.readouterr().err.strip()
@@ -156,6 +157,19 @@ def _resume_and_build(page: httpx.Client, old: str) -> None:
     why = page.get(f"/api/proposals/{new['fingerprint']}/steps/1/why").json()
     assert why["lines"][0].startswith("Step 1 of")
     assert page.get("/api/schedule").json()["actual"]
+
+
+def _kill_the_run_and_resume(page: httpx.Client) -> None:
+    health = page.get("/api/health").json()
+    assert health["journal"]["is_whole"]
+    psutil.Process(health["run"]["pid"]).kill()
+    state = wait_for(page, lambda s: s["phase"] == "broken")
+    assert state["words"] == "The process of the run is not there."
+    lost = page.post("/api/decisions", json=approval({**state["open"], "steps": []}))
+    assert (lost.status_code, lost.json()["error"]) == (503, "run")
+    go = {"verb": "resume", "key": "resume-after-loss"}
+    assert page.post("/api/decisions", json=go).status_code == 200
+    waiting(page)
 
 
 def _is_caught_up(messages: list[Any]) -> bool:

@@ -22,6 +22,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--cell", type=Path)
     parser.add_argument("--speed", type=float, default=1.0)
     parser.add_argument("--from-design", action="store_true")
+    parser.add_argument("--waits", action="store_true", help="go on only when told")
     options = parser.parse_args(arguments)
     writer = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what a library prints is no message
@@ -33,6 +34,7 @@ def main(arguments: list[str]) -> int:
             cell=options.cell,
             speed=options.speed,
             from_design=options.from_design,
+            waits=options.waits,
         )
     except SitewrightError as error:
         channel.send({"is": "run", "what": "broken", "message": str(error)})

@@ -34,6 +34,7 @@ def worker_of(
     cell: Path | None = None,
     speed: float = 1.0,
     from_design: bool = False,
+    waits: bool = False,
 ) -> Worker:
     """Return the worker of a project.
 
@@ -43,6 +44,7 @@ def worker_of(
         cell: Another cell file.
         speed: Of the simulated cell; 1 is real time, 0 as fast as it can.
         from_design: Begin the first run on an empty site.
+        waits: Go on only when somebody says so.
 
     Raises:
         SitewrightError: The project cannot be opened, or has nothing to build.
@@ -82,7 +84,7 @@ def worker_of(
         channel=channel,
         memory=memory,
         run_once=run_once,
-        begins_itself=from_design or begins_itself(history, design),
+        begins_itself=not waits and (from_design or begins_itself(history, design)),
         policy=policy_of(project.settings),
         site_at_rest=site_at_rest,
     )

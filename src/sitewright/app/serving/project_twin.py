@@ -20,7 +20,7 @@ from sitewright.app.serving.proposal_shelf import ProposalShelf
 from sitewright.app.serving.run_process import RunLink
 from sitewright.app.serving.run_view import RunView
 from sitewright.app.serving.scene_shelf import SceneShelf
-from sitewright.app.serving.side_work import SideWork, all_runs, one_run, why
+from sitewright.app.serving.side_work import SideWork, all_runs, is_whole, one_run, why
 from sitewright.app.serving.telling import by_hand_document, ways_reply
 from sitewright.central_controller.codec import to_json
 from sitewright.central_controller.fingerprint import check_code
@@ -37,7 +37,7 @@ from sitewright.interaction_twin.proposal_document import (
 )
 from sitewright.interaction_twin.proposal_story import story_of
 from sitewright.interaction_twin.report.timeline import timeline
-from sitewright.interaction_twin.roles import Person
+from sitewright.interaction_twin.roles import Person, Verb
 from sitewright.interaction_twin.web.twin import Audience, Document
 
 _NS = 1_000_000_000
@@ -76,6 +76,9 @@ class ProjectTwin:
         self._shelf, self._side = ProposalShelf(self._view.runs), SideWork()
         self._policy = policy_of(self._view.project.settings, has_users=has_users)
         self._shelf_lock = asyncio.Lock()
+        self._start_lock = asyncio.Lock()
+        self._is_ending = False
+        self._holding: asyncio.Task[bool] | None = None
         self._started_ns = clock.monotonic_ns()
         self.feed = LiveFeed(
             audience,
@@ -91,6 +94,7 @@ class ProjectTwin:
 
     async def stop(self) -> None:
         """Let the run hold and end."""
+        self._is_ending = True
         await self._link.stop()
         await asyncio.to_thread(self._side.close)
 
@@ -101,6 +105,8 @@ class ProjectTwin:
             self._hear_event(message)
         else:
             self._view.hear_of_run(message)
+            if message["what"] == "gone" and not self._is_ending:
+                self._holding = asyncio.create_task(self.feed.hold())  # nobody else would
         self._tell_state()
 
     def _hear_event(self, message: Message) -> None:
@@ -111,6 +117,11 @@ class ProjectTwin:
         if is_drawn_otherwise:
             self._scenes.outdate()
         self._audience.tell(event_document(record.run, record.stamped, self._view.labels))
+
+    async def _start_again(self) -> None:
+        async with self._start_lock:
+            if self._link.process_id is None:
+                await self._link.start(self._hear, waits=True)
 
     def _tell_state(self) -> None:
         self._audience.tell(self.state())
@@ -257,14 +268,23 @@ class ProjectTwin:
                 "state": "live" if self.feed.is_live else "absent",
                 "age_ms": (now_ns - seen_ns) / _MS if seen_ns else None,
             },
-            "journal": {"run": run, "n": number},
+            "journal": {
+                "run": run,
+                "n": number,
+                "is_whole": await self._side.do(is_whole, self._view.runs, run),
+            },
             "disk_free_bytes": shutil.disk_usage(self._folder).free,
         }
 
     # ---- deciding ----------------------------------------------------------------------------
 
     async def decide(self, decision: Decision, person: Person, body_sha256: str) -> Reply:
-        """Pass a decision on to the run; a stale one comes back with what is different."""
+        """Pass a decision on to the run; a stale one comes back with what is different.
+
+        To resume a run whose process has gone starts the process anew.
+        """
+        if decision.verb is Verb.RESUME:
+            await self._start_again()
         signed = Signed(decision=decision, person=person, body_sha256=body_sha256)
         reply = await self._link.ask("decide", {"signed": to_json(signed)})
         if reply.body.get("error") != "stale":

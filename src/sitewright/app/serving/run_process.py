@@ -24,8 +24,13 @@ Hear = Callable[[Message], None]
 class RunLink(Protocol):
     """The process of a run as the server sees it."""
 
-    async def start(self, hear: Hear) -> None:
-        """Start it; from then on `hear` gets all that it says but its replies."""
+    async def start(self, hear: Hear, *, waits: bool = False) -> None:
+        """Start it; from then on `hear` gets all that it says but its replies.
+
+        Args:
+            hear: Gets what happens, and that it is gone.
+            waits: It goes on only when somebody says so, whatever the journal says.
+        """
         ...
 
     async def ask(self, what: str, content: Mapping[str, Json]) -> Reply:
@@ -126,13 +131,15 @@ class RunProcess:
         alive = self._process is not None and self._process.returncode is None
         return self._process.pid if alive and self._process is not None else None
 
-    async def start(self, hear: Hear) -> None:
-        """Start the process."""
+    async def start(self, hear: Hear, *, waits: bool = False) -> None:
+        """Start the process, or a new one after it has gone."""
+        self._link = PipeLink()
         self._process = await asyncio.create_subprocess_exec(
             sys.executable,
             "-m",
             "sitewright.app.serving.process",
             *self._arguments,
+            *(("--waits",) if waits else ()),
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             limit=_LONGEST_LINE,

@@ -13,10 +13,11 @@ from typing import ParamSpec, TypeVar
 
 from sitewright.app.project import read_project
 from sitewright.app.serving.past_runs import run_document, runs_document
-from sitewright.errors import BackendError
+from sitewright.errors import BackendError, JournalError
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.labels import labels_of
 from sitewright.interaction_twin.web.twin import Document
+from sitewright.journal.sqlite import read_records
 
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
@@ -75,3 +76,14 @@ def why(folder: Path, cell: Path | None, fingerprint: str, number: int) -> Docum
         return None
     lines: list[Json] = list(explanation(reasons, labels_of(project.model, project.cell)))
     return {"lines": lines, "document": step_document(reasons)}
+
+
+def is_whole(runs: Path, run: str) -> bool:
+    """Return whether a run's journal can be read and its chain of hashes is unbroken."""
+    if not run:
+        return True
+    try:
+        read_records(runs / run / "journal.db")
+    except JournalError:
+        return False
+    return True
