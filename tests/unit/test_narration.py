@@ -12,9 +12,9 @@ from sitewright.central_controller.ports import Alternative, RefusalNote
 from sitewright.central_controller.statuses import where_it_fell
 from sitewright.foundation.ids import ComponentId
 from sitewright.interaction_twin.labels import Kind, Label, Labels, labels_of
+from sitewright.interaction_twin.languages import PHRASEBOOKS
 from sitewright.interaction_twin.measures import in_millimetres, in_seconds
 from sitewright.interaction_twin.narration import ARGUMENT_NAMES, folded, narrate, reason
-from sitewright.interaction_twin.phrases import PHRASEBOOKS
 from sitewright.interaction_twin.proposal_view import (
     alternative_lines,
     plan_lines,

@@ -37,10 +37,20 @@ def act_of(call: SkillCall, labels: Labels, book: Phrasebook = ENGLISH) -> str:
     """Return what the robot does, without its name."""
     names = ARGUMENT_NAMES.get(call.skill, ())
     template = _template(call, labels, book)
+    if template is not None and call.skill not in ARGUMENT_NAMES:
+        return _own_skill(template, call, labels, book)
     if template is None or len(names) != len(call.arguments):
         return spelled(call)
     words = {n: _words(a, labels, book) for n, a in zip(names, call.arguments, strict=True)}
     return template.format(**words)
+
+
+def _own_skill(template: str, call: SkillCall, labels: Labels, book: Phrasebook) -> str:
+    """Return the sentence of a skill that is not built in; its places are numbers."""
+    try:
+        return template.format(*(_words(a, labels, book) for a in call.arguments))
+    except (IndexError, KeyError, ValueError):
+        return spelled(call)
 
 
 def spelled(call: SkillCall) -> str:
@@ -61,7 +71,10 @@ def _words(site_id: str, labels: Labels, book: Phrasebook) -> str:
     label = labels.label(site_id)
     match label.kind:
         case Kind.OPERATION:
-            return book.of.format(operation=label.name, component=labels.name(label.of))
+            number = label.name.rpartition(" ")[2]
+            noun = book.noun.get(label.process)
+            name = label.name if noun is None else f"{noun} {number}"
+            return book.of.format(operation=name, component=labels.name(label.of))
         case Kind.PIECE:
             return label.name.removeprefix(book.piece)
         case _:

@@ -22,6 +22,8 @@ class Phrasebook:
         of: An operation with its component, ``{operation}`` and ``{component}``.
         piece: Word that a piece's own name may begin with, and templates say before it.
         step: Sentences that say why a step is as it is.
+        noun: What an operation is called, by process; a number follows.
+        page: Sentences around a plan: its title, why a step is there, what to look at.
     """
 
     language: str
@@ -32,6 +34,8 @@ class Phrasebook:
     of: str
     piece: str
     step: Mapping[str, str]
+    noun: Mapping[str, str]
+    page: Mapping[str, str]
 
 
 STEP_ENGLISH: Mapping[str, str] = {
@@ -76,6 +80,10 @@ STEP_ENGLISH: Mapping[str, str] = {
     "refused": "What was refused here",
     "refused-other": "What was refused for other steps of this plan",
     "nothing": "nothing was refused on the way to this plan",
+    "status-open": "open",
+    "status-done": "done",
+    "status-not done": "not done",
+    "status-superseded": "superseded",
 }
 
 ENGLISH = Phrasebook(
@@ -129,6 +137,15 @@ ENGLISH = Phrasebook(
     of="{operation} of {component}",
     piece="piece ",
     step=STEP_ENGLISH,
+    noun={"nail": "nail", "screw": "screw", "paint": "face", "drill": "hole"},
+    page={
+        "plan": "Plan for {target}",
+        "single": "One chosen step for {target}",
+        "asked-for": "because the design asks for {need}",
+        "then": "because of step {number}: {words}",
+        "ends": "because the plan ends with {need}",
+        "near": "It comes within {near}, nearer than {limit}: look at it.",
+        "about": "It is about {target}, not about {other}.",
+        "same": "The steps are the same; their motions differ.",
+    },
 )
-
-PHRASEBOOKS: Mapping[str, Phrasebook] = {book.language: book for book in (ENGLISH,)}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
 from sitewright.central_controller.fingerprint import check_code
@@ -11,7 +11,9 @@ from sitewright.central_controller.ports import RefusalNote
 from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.pose import Pose
+from sitewright.interaction_twin.because import reasons
 from sitewright.interaction_twin.labels import Labels
+from sitewright.interaction_twin.measures import in_millimetres
 from sitewright.interaction_twin.narration import folded
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.proposal_story import ProposalStory
@@ -51,7 +53,8 @@ def proposal_document(source: ProposalSource, *, is_open: bool) -> dict[str, Jso
     views = step_views(proposal.steps, labels, source.book, next_step=source.next_step)
     left = [s for s in proposal.steps if s.number >= source.next_step]
     runs = folded([(s.number, s.call) for s in left], labels, source.book)
-    steps = [_step(source, i, view) for i, view in enumerate(views)]
+    whys = reasons(proposal.steps, labels, source.book)
+    steps = [_step(source, i, replace(v, why=whys[i])) for i, v in enumerate(views)]
     closest = min(
         (m.certificate for s in left for m in s.motions if m.certificate.closest_pair),
         key=lambda c: c.closest_distance_m,
@@ -67,7 +70,7 @@ def proposal_document(source: ProposalSource, *, is_open: bool) -> dict[str, Jso
         "run": source.run,
         "target": proposal.target,
         "target_name": target,
-        "title": f"One chosen step for {target}" if is_single else f"Plan for {target}",
+        "title": source.book.page["single" if is_single else "plan"].format(target=target),
         "is_single": is_single,
         "next_step": source.next_step,
         "status": source.story.status,
@@ -98,7 +101,8 @@ def differences(
     after = [f"{v.robot} {v.words}" for v in step_views(new.steps, labels, book)]
     found: list[Json] = []
     if old.target != new.target:
-        words = f"It is about {labels.name(new.target)}, not about {labels.name(old.target)}."
+        names = {"target": labels.name(new.target), "other": labels.name(old.target)}
+        words = book.page["about"].format(**names)
         found.append({"kind": "target", "words": words})
     matcher = SequenceMatcher(None, before, after, autojunk=False)
     for kind, i1, i2, j1, j2 in matcher.get_opcodes():
@@ -110,7 +114,7 @@ def differences(
             for n, w in enumerate(after[j1:j2], start=j1)
         ]
     if not found and old != new:
-        found.append({"kind": "motion", "words": "The steps are the same; their motions differ."})
+        found.append({"kind": "motion", "words": book.page["same"]})
     return found
 
 
@@ -179,8 +183,8 @@ def _flags(source: ProposalSource, step: ProposedStep) -> list[str]:
     closest_m = step.closest_distance_m
     if closest_m is None or closest_m >= source.look_below_m:
         return []
-    near_mm, limit_mm = closest_m * 1000.0, source.look_below_m * 1000.0
-    return [f"It comes within {near_mm:.0f} mm, nearer than {limit_mm:.0f} mm: look at it."]
+    limit = in_millimetres(source.look_below_m)
+    return [source.book.page["near"].format(near=in_millimetres(closest_m), limit=limit)]
 
 
 def _holds(steps: Sequence[ProposedStep], index: int) -> tuple[Json, Json]:

@@ -41,7 +41,7 @@ class _Words:
             number=r.number,
             count=len(r.steps),
             target=self.labels.name(r.target),
-            status=r.status,
+            status=self.book.step.get(f"status-{r.status}", r.status),
         )
         yield f"  {narrate(r.step.call, self.labels, self.book)}."
         yield f"  {self._say('plan', code=check_code(r.fingerprint), run=r.run)}"

@@ -14,13 +14,14 @@ from sitewright.app.reporting import REPORT_PAGE
 from sitewright.app.run_folder import run_folders
 from sitewright.app.serving.channel import Message
 from sitewright.app.serving.live_feed import LiveFeed
+from sitewright.app.serving.own_words import own_words
 from sitewright.app.serving.past_runs import bars_document
 from sitewright.app.serving.policy_file import policy_of
 from sitewright.app.serving.proposal_shelf import ProposalShelf
 from sitewright.app.serving.run_process import RunLink
 from sitewright.app.serving.run_view import RunView
 from sitewright.app.serving.scene_shelf import SceneShelf
-from sitewright.app.serving.side_work import SideWork, all_runs, is_whole, one_run, why
+from sitewright.app.serving.side_work import SideWork, StepAsked, all_runs, is_whole, one_run, why
 from sitewright.app.serving.telling import by_hand_document, ways_reply
 from sitewright.central_controller.codec import to_json
 from sitewright.central_controller.fingerprint import check_code
@@ -29,7 +30,8 @@ from sitewright.foundation.canonical import Json
 from sitewright.foundation.clock import Clock
 from sitewright.interaction_twin.decisions import Decision, Reply, Signed
 from sitewright.interaction_twin.event_document import audit_document, event_document
-from sitewright.interaction_twin.phrases import ENGLISH, PHRASEBOOKS
+from sitewright.interaction_twin.languages import PHRASEBOOKS, with_own_skills
+from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.proposal_document import (
     ProposalSource,
     differences,
@@ -75,6 +77,7 @@ class ProjectTwin:
         self._view = RunView(folder, cell)
         self._shelf, self._side = ProposalShelf(self._view.runs), SideWork()
         self._policy = policy_of(self._view.project.settings, has_users=has_users)
+        self._books = with_own_skills(PHRASEBOOKS, own_words(self._view.project.settings))
         self._shelf_lock = asyncio.Lock()
         self._start_lock = asyncio.Lock()
         self._is_ending = False
@@ -180,7 +183,7 @@ class ProjectTwin:
             why=state_.why if is_open else "",
             refusals=state_.refusals if is_open else (),
             previous=None if previous is None else (before, previous[1]),
-            book=PHRASEBOOKS.get(language, ENGLISH),
+            book=self._book(language),
             look_below_m=self._policy.look_below_m,
         )
         return await asyncio.to_thread(partial(proposal_document, source, is_open=is_open))
@@ -198,11 +201,12 @@ class ProjectTwin:
         """Return one run with its events and bars."""
         return await self._side.do(one_run, self._folder, self._cell_file, run)
 
-    async def why(self, fingerprint: str, number: int) -> Document | None:
+    async def why(self, fingerprint: str, number: int, language: str) -> Document | None:
         """Return why a step of a proposal is as it is."""
         if await self._find(fingerprint) is None:
             return None
-        return await self._side.do(why, self._folder, self._cell_file, fingerprint, number)
+        step = StepAsked(fingerprint, number, self._book(language))
+        return await self._side.do(why, self._folder, self._cell_file, step)
 
     async def report(self, run: str) -> bytes | None:
         """Return the report of a run; None while there is none."""
@@ -306,12 +310,15 @@ class ProjectTwin:
         reply = await self._link.ask("ways", {"fingerprint": fingerprint})
         if not reply.is_ok:
             return reply
-        book = PHRASEBOOKS.get(language, ENGLISH)
-        return ways_reply(fingerprint, reply.body, self._view.labels, book)
+        return ways_reply(fingerprint, reply.body, self._view.labels, self._book(language))
 
     def by_hand(self, target: str) -> Document | None:
         """Return what a person can vouch for at a target; None if its piece is not in place."""
         return by_hand_document(target, self._view.records.state.site, self._view.labels)
+
+    def _book(self, language: str) -> Phrasebook:
+        """Return the sentences of a language; English for one that is not there."""
+        return self._books.get(language, ENGLISH)
 
     async def _with_difference(self, body: Mapping[str, Json]) -> Document:
         shown, open_ = str(body.get("shown") or ""), str(body.get("open") or "")

@@ -6,6 +6,7 @@ import asyncio
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
@@ -16,6 +17,7 @@ from sitewright.app.serving.past_runs import run_document, runs_document
 from sitewright.errors import BackendError, JournalError
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.labels import labels_of
+from sitewright.interaction_twin.phrases import Phrasebook
 from sitewright.interaction_twin.web.twin import Document
 from sitewright.journal.sqlite import read_records
 
@@ -62,7 +64,16 @@ def one_run(folder: Path, cell: Path | None, run: str) -> Document | None:
     return run_document(project, run, labels_of(project.model, project.cell))
 
 
-def why(folder: Path, cell: Path | None, fingerprint: str, number: int) -> Document | None:
+@dataclass(frozen=True, slots=True)
+class StepAsked:
+    """A step of a proposal, and the language to tell of it."""
+
+    fingerprint: str
+    number: int
+    book: Phrasebook
+
+
+def why(folder: Path, cell: Path | None, step: StepAsked) -> Document | None:
     """Return why a step of a proposal is as it is; None if there is no such step."""
     from sitewright.app.explaining_steps import explain_step
     from sitewright.errors import ApprovalError
@@ -71,10 +82,11 @@ def why(folder: Path, cell: Path | None, fingerprint: str, number: int) -> Docum
 
     project = read_project(folder, cell=cell)
     try:
-        reasons = explain_step(project, number, code=fingerprint)
+        reasons = explain_step(project, step.number, code=step.fingerprint)
     except ApprovalError:
         return None
-    lines: list[Json] = list(explanation(reasons, labels_of(project.model, project.cell)))
+    labels = labels_of(project.model, project.cell)
+    lines: list[Json] = list(explanation(reasons, labels, step.book))
     return {"lines": lines, "document": step_document(reasons)}
 
 

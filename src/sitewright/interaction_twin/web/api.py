@@ -11,6 +11,7 @@ from starlette.responses import JSONResponse, Response
 
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.decisions import Decision, Reply, body_hash, refusal
+from sitewright.interaction_twin.languages import PHRASEBOOKS
 from sitewright.interaction_twin.roles import NEEDED_ROLE, Person, Role, Verb
 from sitewright.interaction_twin.web.requests import (
     DecisionBody,
@@ -24,7 +25,7 @@ from sitewright.interaction_twin.web.requests import (
 from sitewright.interaction_twin.web.sessions import SESSION_S, Sessions
 from sitewright.interaction_twin.web.twin import Twin
 
-LANGUAGES = ("en",)
+LANGUAGES = tuple(PHRASEBOOKS)
 _FOR_EVER = "private, max-age=31536000, immutable"
 _OPEN = "open"
 _REPORT_POLICY = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'"
@@ -167,7 +168,7 @@ class Api:
         """Return why a step is there, by this robot, in this way."""
         del person
         fingerprint, number = request.path_params["fingerprint"], request.path_params["number"]
-        found = await self._twin.why(fingerprint, number)
+        found = await self._twin.why(fingerprint, number, _language(request))
         return answer(unknown("step", str(number))) if found is None else JSONResponse(found)
 
     async def report(self, request: Request, person: Person) -> Response:

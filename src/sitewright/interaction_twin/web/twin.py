@@ -66,7 +66,7 @@ class Twin(Protocol):
         """Return one run with its events and bars."""
         ...
 
-    async def why(self, fingerprint: str, number: int) -> Document | None:
+    async def why(self, fingerprint: str, number: int, language: str) -> Document | None:
         """Return why a step of a proposal is as it is."""
         ...
 
