@@ -144,9 +144,15 @@ def note_of_motion(
         reason=refused_call(refused, calls, scope="", attempt=1).evidence,
         is_proven=is_proof(refusal),
         is_replanned=True,
-        blockers=next(iter(removals_of_refused(refused)), ()),
+        blockers=_blockers_of_call(refused),
         then=then,
     )
+
+
+def _blockers_of_call(refused: SequenceRefusal) -> tuple[str, ...]:
+    """Return the fewest things in the way of a call; the robot itself if nothing else is."""
+    itself = (refused.call.robot,) if isinstance(refused.cause.refusal, BlockedBy) else ()
+    return next(iter(removals_of_refused(refused)), itself)
 
 
 def notes_of_study(

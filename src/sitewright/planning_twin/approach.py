@@ -149,6 +149,7 @@ class Approaches:
     near_rad: Joints
     found: int = 0
     _blocked: dict[Joints, _Blocked] = field(default_factory=dict)
+    _blocked_contacts: list[Joints] = field(default_factory=list)
     _lost: NoIk | None = None
 
     def __iter__(self) -> Iterator[Approach]:
@@ -176,7 +177,14 @@ class Approaches:
         return NoIk(is_proven=False, reason="no posture serves what follows")
 
     def why_not(self) -> NoIk | BlockedBy:
-        """Return why there is none, once all were looked for."""
+        """Return why there is none, once all were looked for.
+
+        What is in the way is told for both ends of each approach, so that an approach is there
+        once any of the `removals` is gone.
+        """
+        both = [self._pairs_at_both_ends(contact) for contact in self._blocked_contacts]
+        if found := [pairs for pairs in both if pairs]:
+            return blocked_by(self.reaching.scene, self.reaching.robot, found)
         named = [b.pairs(self.reaching) for b in self._blocked.values()]
         if found := [pairs for pairs in named if pairs]:
             return blocked_by(self.reaching.scene, self.reaching.robot, found)
@@ -184,17 +192,28 @@ class Approaches:
             is_proven=False, reason="no branch of the inverse kinematics holds"
         )
 
+    def _pairs_at_both_ends(self, contact_rad: Joints) -> tuple[Pair, ...]:
+        """Return what is too near in contact or before it; nothing if no line joins the two."""
+        approach = straight_approach(self.reaching, self.touch, contact_rad)
+        if isinstance(approach, NoIk):
+            return ()
+        at_contact = self.reaching.violations(contact_rad, self.touch.near_m)
+        before = self.reaching.violations(approach.pre_rad, self.touch.free_m, is_padded=True)
+        return tuple(dict.fromkeys((*at_contact, *before)))
+
     def _approach(self, contact_rad: Joints) -> Approach | None:
         shape = without_turns(self.reaching.description, contact_rad)
         if shape in self._blocked:
             return None
         if self._is_blocked(shape, contact_rad, self.touch.near_m):
+            self._blocked_contacts.append(contact_rad)
             return None
         approach = straight_approach(self.reaching, self.touch, contact_rad)
         if isinstance(approach, NoIk):
             self._lost = approach
             return None
         if self._is_blocked(shape, approach.pre_rad, self.touch.free_m, is_padded=True):
+            self._blocked_contacts.append(contact_rad)
             return None
         return approach
 
