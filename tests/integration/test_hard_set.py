@@ -14,6 +14,7 @@ from benchmarks.motion.solvers.ours import Sitewright
 from sitewright.planning_twin.backends.audit.reproof import SeparatingPlanes
 from sitewright.planning_twin.backends.certifier import ConservativeAdvancement
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
+from sitewright.planning_twin.backends.two_trees import TwoTrees
 from sitewright.planning_twin.motion import Certificate
 from sitewright.planning_twin.refusal import NotClear
 from sitewright.robot_team.description import Joints
@@ -68,6 +69,15 @@ def test_our_planner_finds_a_path_that_holds_by_separating_planes(family: str) -
     answer = Sitewright().solve(query, seed=0)
     assert (answer.waypoints_rad[0], answer.waypoints_rad[-1]) == (query.start_rad, query.goal_rad)
     assert faults(query, answer.waypoints_rad) == ()
+
+
+@pytest.mark.parametrize("name", ["stud-between-studs-01", "last-stud-10"])
+def test_a_piece_under_a_ledge_is_got_out_sideways_within_the_first_budget(name: str) -> None:
+    query = next(q for q in stored_queries() if q.name == name)
+    assert "ledge" in query.scene.bodies
+    found = TwoTrees(ProofScenes()).plan(query.scene, query.request(), seed=0)
+    assert isinstance(found, tuple)
+    assert PROVER.objection(query.scene, query.path(found)) is None
 
 
 def test_a_query_made_anew_has_a_witness_that_holds() -> None:

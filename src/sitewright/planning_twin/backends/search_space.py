@@ -78,6 +78,11 @@ class SearchSpace:
         """Numbers of the robots that move."""
         return range(len(self._robots))
 
+    def joints_of(self, tip: int) -> slice:
+        """Return which joints move a robot's tip."""
+        first = sum(self._counts[:tip])
+        return slice(first, first + self._counts[tip])
+
     def tip_axes(self, tip: int, q: Array) -> Array:
         """Return the axes of a robot's tip frame in the world, row by row."""
         return np.asarray(self._search.tip(self._robots[tip], self._posture(q))[:3, :3].T)
@@ -85,30 +90,32 @@ class SearchSpace:
     def straight(self, tip: int, q: Array, direction: Array, length_m: float) -> Iterator[Array]:
         """Yield free postures along a straight line of one robot's tip, until something is hit.
 
+        Each step is right to the second order: the first one by the midpoint rule, the others by
+        what the rates were here and one step before.
+
         Args:
             tip: Number of the robot.
             q: Where it starts; not yielded.
             direction: Shift in the world, of length one; the tip does not turn.
             length_m: At most so far.
         """
+        shift = direction * _TIP_STEP_M
+        before: Array | None = None
         for _ in range(round(length_m / _TIP_STEP_M)):
-            following = self._stepped(tip, q, direction * _TIP_STEP_M)
-            if following is None or not self.is_free_line(q, following):
+            here = self._rates(tip, q, shift)
+            if before is None:
+                step = self._rates(tip, q + here / 2.0, shift)
+            else:
+                step = 1.5 * here - 0.5 * before
+            following = q + step
+            if np.abs(step).max() > _FASTEST_TURN_RAD or not self.is_free_line(q, following):
                 return
             yield following
-            q = following
-
-    def _stepped(self, tip: int, q: Array, shift: Array) -> Array | None:
-        """Return the posture after a small shift of a tip, by the midpoint rule."""
-        half = self._rates(tip, q, shift / 2.0)
-        whole = self._rates(tip, q + half, shift)
-        if np.abs(whole).max() > _FASTEST_TURN_RAD:
-            return None
-        return np.asarray(q + whole)
+            q, before = following, here
 
     def _rates(self, tip: int, q: Array, shift: Array) -> Array:
-        first = sum(self._counts[:tip])
-        mine = slice(first, first + self._counts[tip])
+        """Return how far the joints turn for a small shift of a tip."""
+        mine = self.joints_of(tip)
         rows = self._search.tip_rates(self._robots[tip], self._posture(q))
         twist = np.concatenate((shift, np.zeros(3)))
         square = rows @ rows.T + _DAMPING**2 * np.eye(6)

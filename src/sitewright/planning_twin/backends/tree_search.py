@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -14,12 +14,15 @@ from sitewright.planning_twin.backends.search_tree import SearchTree
 _LONGEST_EDGE = 1.0
 CORRIDOR_M = 0.36
 """How far a straight way out of an end is followed."""
-_PARALLEL = 0.98
+_PARALLEL = 0.9998
+_ACROSS = 0.5
+_ENOUGH_WAYS = 3
+_CORNER_STRIDES = (4, 2, 1)
 _NEAR_ROOTS = 0.15
 _WORKSPACE = 0.15
 _MARGINS_RAD = (0.6, 1.6, np.inf)
 """Samples come from around the ends first, and from ever further away."""
-_WIDEN_AFTER = 60
+_WIDEN_AFTER = 30
 _PROBES = 8
 _SMALL_RAD = 0.04
 
@@ -30,10 +33,27 @@ class _Side:
 
     Attributes:
         roots: Postures that it starts from.
+        corridors: Straight ways out of them.
     """
 
     tree: SearchTree
     roots: list[Array]
+    corridors: list[_Corridor] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class _Corridor:
+    """A straight way of a tip out of a root.
+
+    Attributes:
+        nodes: Its postures in the tree.
+        across: Directions in which it may be left.
+    """
+
+    root: int
+    tip: int
+    nodes: range
+    across: list[Array]
 
 
 def found_path(
@@ -101,20 +121,32 @@ class _Search:
 
     def _growth(self) -> Iterator[_Grown]:
         """Yield new nodes that are worth an attempt to connect."""
-        ends = [(k, root) for k, side in enumerate(self._sides) for root in range(len(side.roots))]
-        narrow = [end for end in ends if self._is_narrow(*end)]
-        for k, root in narrow:
-            yield from self._corridors(k, root)
+        ends = [
+            (k, root, tip)
+            for k, side in enumerate(self._sides)
+            for root in range(len(side.roots))
+            for tip in self._space.tips
+        ]
+        narrow = [
+            (k, root, tip)
+            for k, root, tip in ends
+            if self._is_narrow(self._sides[k].roots[root], tip)
+        ]
+        for end in narrow:
+            yield from self._corridors(*end)
+        for end in narrow:
+            yield from self._around_corners(*end)
         yield from self._rounds(0, _WIDEN_AFTER)
-        for k, root in ends:
-            if (k, root) not in narrow:
-                yield from self._corridors(k, root)
+        for end in ends:
+            if end not in narrow:
+                yield from self._corridors(*end)
         yield from self._rounds(_WIDEN_AFTER, self._max_lines)
 
-    def _is_narrow(self, k: int, root: int) -> bool:
-        """Tell whether most small moves away from a root are blocked."""
-        q = self._sides[k].roots[root]
-        moves = _SMALL_RAD * self._rng.normal(size=(_PROBES, len(q)))
+    def _is_narrow(self, q: Array, tip: int) -> bool:
+        """Tell whether most small moves of a robot away from a posture are blocked."""
+        mine = self._space.joints_of(tip)
+        moves = np.zeros((_PROBES, len(q)))
+        moves[:, mine] = _SMALL_RAD * self._rng.normal(size=(_PROBES, mine.stop - mine.start))
         blocked = sum(not self._space.is_free_line(q, q + move) for move in moves)
         return blocked > _PROBES // 2
 
@@ -136,14 +168,37 @@ class _Search:
         whole = [*mine[::-1], *theirs[1:]]
         return whole if side is self._sides[0] else whole[::-1]
 
-    def _corridors(self, k: int, root: int) -> Iterator[_Grown]:
-        """Add the straight ways out of a root; yield the last node of each."""
+    def _corridors(self, k: int, root: int, tip: int) -> Iterator[_Grown]:
+        """Add the straight ways of a tip out of a root; yield the last node of each."""
         side = self._sides[k]
-        for tip in self._space.tips:
-            for direction in directions(self._space.tip_axes(tip, side.roots[root])):
-                last = self._along(side.tree, root, tip, direction, CORRIDOR_M)
+        axes = directions(self._space.tip_axes(tip, side.roots[root]))
+        for direction in axes:
+            first = len(side.tree)
+            last = self._along(side.tree, root, tip, direction, CORRIDOR_M)
+            if last is not None:
+                across = [d for d in axes if abs(float(d @ direction)) < _ACROSS]
+                side.corridors.append(_Corridor(root, tip, range(first, last + 1), across))
+                yield _Grown(k, last)
+
+    def _around_corners(self, k: int, root: int, tip: int) -> Iterator[_Grown]:
+        """Add the straight ways that leave the corridors of a root sideways; yield their ends.
+
+        So a piece gets out from under a ledge. Where a corridor leads into the open there is no
+        need for them, and once a few of them do, for more.
+        """
+        tree = self._sides[k].tree
+        corridors = [c for c in self._sides[k].corridors if (c.root, c.tip) == (root, tip)]
+        if any(not self._is_narrow(tree.point(c.nodes[-1]), tip) for c in corridors):
+            return
+        open_ways = 0
+        for corridor, node in _corners(corridors):
+            for direction in corridor.across:
+                last = self._along(tree, node, tip, direction, CORRIDOR_M)
                 if last is not None:
                     yield _Grown(k, last)
+                    open_ways += not self._is_narrow(tree.point(last), tip)
+            if open_ways >= _ENOUGH_WAYS:
+                return
 
     def _along(
         self, tree: SearchTree, node: int, tip: int, direction: Array, length_m: float
@@ -173,6 +228,16 @@ class _Search:
         lower = np.maximum(self._space.lower, self._lowest - margin)
         upper = np.minimum(self._space.upper, self._highest + margin)
         return np.asarray(self._rng.uniform(lower, upper))
+
+
+def _corners(corridors: list[_Corridor]) -> Iterator[tuple[_Corridor, int]]:
+    """Yield where corridors may be left: their far ends and a few other postures first."""
+    seen: set[int] = set()
+    for stride in _CORNER_STRIDES:
+        for corridor in sorted(corridors, key=lambda c: -len(c.nodes)):
+            fresh = [node for node in corridor.nodes[::-stride] if node not in seen]
+            seen.update(fresh)
+            yield from ((corridor, node) for node in fresh)
 
 
 def directions(axes: Array) -> list[Array]:
