@@ -2,6 +2,7 @@
 import { render } from "preact";
 import { ActionBar, HoldButton } from "./parts/actions";
 import { Banners } from "./parts/banners";
+import { Fence } from "./parts/fence";
 import { Header } from "./parts/header";
 import { shownPicture } from "./parts/picture-view";
 import { ZoneDialog } from "./parts/zone-dialog";
@@ -10,7 +11,7 @@ import { AuditScreen, HealthScreen } from "./screens/records";
 import { Workspace } from "./screens/workspace";
 import { watchCode } from "./state/arming";
 import { startPage } from "./state/start";
-import { link, rehearsal, screen, session } from "./state/store";
+import { link, rehearsal, screen, session, type Screen } from "./state/store";
 import { say } from "./words/words";
 
 function Page() {
@@ -21,15 +22,21 @@ function Page() {
       <Header />
       <Banners />
       <main>
-        {session.value !== null && (name === "cell" || name === "building" || name === "runs") && <Workspace />}
-        {name === "audit" && <AuditScreen />}
-        {name === "health" && <HealthScreen />}
+        <Fence>{body(name)}</Fence>
       </main>
-      <ActionBar />
+      <Fence>
+        <ActionBar />
+      </Fence>
       <footer class="safety">{say("safety")}</footer>
       <ZoneDialog />
     </div>
   );
+}
+
+function body(name: Screen) {
+  if (name === "audit") return <AuditScreen />;
+  if (name === "health") return <HealthScreen />;
+  return session.value === null ? null : <Workspace />;
 }
 
 declare global {

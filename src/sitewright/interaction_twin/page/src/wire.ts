@@ -201,6 +201,7 @@ export interface Option {
   id: string;
   words: string;
   verb: string;
+  zone?: { remove: string };
   call?: Call;
   step?: number;
   price_s?: number | null;
@@ -286,8 +287,9 @@ export interface Bar {
   starts_s: number;
   duration_s: number;
   is_done: boolean;
-  skill?: string;
-  step?: number;
+  skill: string;
+  step: number;
+  fingerprint: string;
 }
 
 /** Body of every answer that is no success. */

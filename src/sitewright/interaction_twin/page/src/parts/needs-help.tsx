@@ -64,13 +64,8 @@ function Stuck({ trouble }: { trouble: Trouble }) {
           </button>
         )}
         {trouble.options.map((option) => (
-          <OptionButton key={option.id} option={option} />
+          <OptionButton key={option.id} option={option} onManual={() => setManual(true)} />
         ))}
-        {may("manual") && (
-          <button type="button" onClick={() => setManual(true)}>
-            {say("help.manual")}
-          </button>
-        )}
       </div>
       {trouble.options.length === 0 && <p class="soft">{say("help.none")}</p>}
       {isManual && <ManualDialog target={trouble.target} name={trouble.name} onClose={() => setManual(false)} />}
@@ -84,11 +79,15 @@ function show(trouble: Trouble): void {
   refusedPosture.value = refusedPosture.value === null ? (trouble.posture ?? null) : null;
 }
 
-function OptionButton({ option }: { option: Option }) {
+function OptionButton({ option, onManual }: { option: Option; onManual: () => void }) {
   const fingerprint = proposal.value?.fingerprint ?? "";
-  const { verb, call, step } = option;
+  const { verb, call, step, zone } = option;
+  const act = (): void => {
+    if (verb === "manual") onManual();
+    else void decide({ fingerprint, verb, ...(call && { call }), ...(zone && { zone }), ...(step !== undefined && { step }) });
+  };
   return (
-    <button type="button" disabled={!isReachable.value || !may(verb)} onClick={() => void decide({ fingerprint, verb, ...(call && { call }), ...(step !== undefined && { step }) })}>
+    <button type="button" disabled={!isReachable.value || !may(verb)} onClick={act}>
       {option.words}
       {option.price_s != null && ` (${say("other.price", { seconds: `+${inNumbers(option.price_s)}` })})`}
     </button>

@@ -1,6 +1,6 @@
 // The 3D picture in the page, with its views, its modes and the plates of the robots.
 import { effect, signal } from "@preact/signals";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { CellPicture, type Mode, type Tag } from "../cell/picture";
 import { COLOUR, robotColour } from "../cell/looks";
 import { followPlan, playClock } from "../state/playing";
@@ -16,6 +16,7 @@ import {
   mode,
   piecePoses,
   refusedPosture,
+  replayed,
   rehearsal,
   run,
   scene,
@@ -29,6 +30,7 @@ import { say } from "../words/words";
 import { isFrozen, mark, measured, pixelRatio } from "../marks";
 import { standingIds } from "../state/building";
 import { isDrawingZone, zoneCentre, zoneSize } from "./zone-dialog";
+import type { RobotRecord } from "../wire";
 import { Transport } from "./transport";
 
 const MODES: readonly Mode[] = ["now", "preview", "target", "as-built"];
@@ -73,7 +75,7 @@ export function PictureView() {
 const isOld = (): boolean => mode.value === "now" && link.value !== "live" && !isFrozen;
 
 function Notice() {
-  if (mode.value === "preview") return <p class="over">{say("picture.preview")}</p>;
+  if (mode.value === "preview") return <p class="over">{say(replayed.value === null ? "picture.preview" : "picture.replay")}</p>;
   if (!isOld() || link.value === "lost" || link.value === "connecting") return null;
   return <p class="over old">◷ {say("picture.stale", { seconds: age_s.value.toFixed(1) })}</p>;
 }
@@ -98,20 +100,36 @@ function choose(name: Mode): void {
 
 function Views() {
   const robots = scene.value?.robots ?? [];
+  const [isOpen, setOpen] = useState(false);
   return (
-    <div class="views" role="group" aria-label={say("view.label")}>
+    <div class="views">
+      <button type="button" class="opener" aria-expanded={isOpen} onClick={() => setOpen(!isOpen)}>
+        {say("view.open")} <span aria-hidden="true">▾</span>
+      </button>
+      {isOpen && <ViewMenu robots={robots} onChosen={() => setOpen(false)} />}
+    </div>
+  );
+}
+
+function ViewMenu({ robots, onChosen }: { robots: readonly RobotRecord[]; onChosen: () => void }) {
+  const look = (act: () => void): void => {
+    act();
+    onChosen();
+  };
+  return (
+    <div class="menu" role="group" aria-label={say("view.label")}>
       {(["whole", "top", "front", "side"] as const).map((name) => (
-        <button type="button" key={name} onClick={() => picture?.look(name)}>
+        <button type="button" key={name} onClick={() => look(() => picture?.look(name))}>
           {say(`view.${name}`)}
         </button>
       ))}
       {robots.map((robot) => (
-        <button type="button" key={robot.id} onClick={() => picture?.lookFromRobot(robot.id)}>
+        <button type="button" key={robot.id} onClick={() => look(() => picture?.lookFromRobot(robot.id))}>
           {say("view.robot", { number: robot.number })}
         </button>
       ))}
       {robots.map((robot) => (
-        <button type="button" key={robot.id} aria-pressed={followed.value === robot.id} onClick={() => follow(robot.id)}>
+        <button type="button" key={robot.id} aria-pressed={followed.value === robot.id} onClick={() => look(() => follow(robot.id))}>
           {say("view.follow", { number: robot.number })}
         </button>
       ))}
@@ -159,7 +177,7 @@ function attach(canvas: HTMLCanvasElement, frame: HTMLElement): () => void {
     effect(() => {
       void rehearsal.value;
       void scene.value;
-      made.setStep(step.value);
+      made.setStep(run.value?.phase === "running" && mode.value === "now" ? null : step.value);
     }),
     effect(() => made.setTime(time_s.value)),
     effect(() => made.setDraft(isDrawingZone.value ? { centre: zoneCentre.value, size: zoneSize.value } : null)),
@@ -195,9 +213,11 @@ function placePieces(made: CellPicture): void {
 function filter(made: CellPicture): void {
   const hidden = hiddenIds.value;
   const all = scene.value?.components ?? [];
-  const placed = new Set(all.filter((c) => c.layer === "as_built").map((c) => c.made_of));
+  const played = replayed.value;
+  const carried = new Set(played?.steps.map((s) => s.holds_after?.piece));
+  const placed = new Set(all.filter((c) => c.layer === "as_built" && !carried.has(c.made_of ?? undefined)).map((c) => c.made_of));
   const standingNow = screen.value === "building" && standing.value !== null ? standingIds(all, standing.value) : null;
-  made.setFilter((c) => !hidden.has(c.id) && !placed.has(c.id) && (standingNow === null || c.layer === "virtual_collision" || standingNow.has(c.id)));
+  made.setFilter((c) => !hidden.has(c.id) && !placed.has(c.id) && c.id !== played?.target && (standingNow === null || c.layer === "virtual_collision" || standingNow.has(c.id)));
 }
 
 function lit(): Map<string, string> {

@@ -21,10 +21,10 @@ export function StepList({ plan }: { plan: Proposal }) {
 function Step({ step, plan }: { step: StepRecord; plan: Proposal }) {
   const isSelected = selectedStep.value === step.number;
   const row = useRef<HTMLLIElement>(null);
-  useEffect(() => {
-    if (isSelected) row.current?.scrollIntoView({ block: "nearest" });
-  }, [isSelected]);
   const isRunning = run.value?.running?.step === step.number && run.value.running.fingerprint === plan.fingerprint;
+  useEffect(() => {
+    if (isSelected || isRunning) row.current?.scrollIntoView({ block: "nearest" });
+  }, [isSelected, isRunning]);
   const status = isRunning ? "running" : step.is_done ? "done" : step.status;
   const needsLook = step.flags.length > 0 && !step.is_done;
   return (

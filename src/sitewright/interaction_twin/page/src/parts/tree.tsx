@@ -1,6 +1,7 @@
 // All components by layer: find, show, lock, select.
 import { useState } from "preact/hooks";
-import { hiddenIds, lockedIds, scene, selectedComponent } from "../state/store";
+import { decide } from "../state/decisions";
+import { hiddenIds, isReachable, lockedIds, may, scene, selectedComponent } from "../state/store";
 import type { ComponentRecord, Layer } from "../wire";
 import { say, sayWord } from "../words/words";
 
@@ -19,8 +20,35 @@ export function Tree() {
         {LAYERS.map((layer) => (
           <LayerGroup key={layer} layer={layer} members={all.filter((c) => c.layer === layer)} />
         ))}
+        <Zones />
       </div>
     </div>
+  );
+}
+
+/** Zones that a person drew can be taken away again. */
+function Zones() {
+  const zones = scene.value?.zones ?? [];
+  if (zones.length === 0) return null;
+  return (
+    <details class="layer" open>
+      <summary>
+        <span class="swatch virtual_collision" aria-hidden="true" />
+        {say("tree.zones")} <span class="soft">{zones.length}</span>
+      </summary>
+      <ul>
+        {zones.map((zone) => (
+          <li key={zone.id}>
+            <span class="name zone">{zone.name}</span>
+            {zone.by !== "cell" && may("zone") && (
+              <button type="button" disabled={!isReachable.value} onClick={() => void decide({ fingerprint: "", verb: "zone", zone: { remove: zone.id } })}>
+                {say("zone.remove")}
+              </button>
+            )}
+          </li>
+        ))}
+      </ul>
+    </details>
   );
 }
 

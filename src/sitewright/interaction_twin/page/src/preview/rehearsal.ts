@@ -21,7 +21,9 @@ interface ToolKey {
   pose: Pose;
 }
 
+/** What is known of the site: as it was before the plan, or (`isAfter`) as the plan left it. */
 export interface StartOfPlan {
+  isAfter: boolean;
   postures: ReadonlyMap<string, readonly number[]>;
   poses: ReadonlyMap<string, Matrix4>;
 }
@@ -104,10 +106,26 @@ export class Rehearsal {
   }
 
   private hang(time_s: number, robot: string, piece: string, team: Team): void {
+    if (this.start.isAfter) {
+      this.hangBackwards(time_s, robot, piece, team);
+      return;
+    }
     this.pose(time_s, team, null);
     const tip = team.tipOf(robot);
     const pose = this.siteOf(piece, time_s, team);
     if (pose !== undefined) this.pieceKeys.push({ time_s, piece, robot, pose: tip.invert().multiply(pose) });
+  }
+
+  /** Works out a grip from where the piece was let go: it did not slip on the way. */
+  private hangBackwards(time_s: number, robot: string, piece: string, team: Team): void {
+    const end = this.proposal.steps.find((s) => s.robot === robot && s.starts_s >= time_s - 1e-6 && s.holds_before?.piece === piece && s.holds_after === null);
+    const left = this.start.poses.get(piece);
+    if (end === undefined || left === undefined) return;
+    this.pose(end.starts_s + end.duration_s, team, null);
+    const pose = team.tipOf(robot).invert().multiply(left);
+    this.pose(time_s, team, null);
+    this.pieceKeys.push({ time_s: -1, piece, robot: null, pose: team.tipOf(robot).multiply(pose) });
+    this.pieceKeys.push({ time_s, piece, robot, pose });
   }
 
   private lay(time_s: number, robot: string, piece: string, team: Team): void {
@@ -129,6 +147,7 @@ function poseOf(key: PieceKey, team: Team): Matrix4 {
 /** Returns the start of a plan from the scene document alone. */
 export function documentedStart(scene: Scene): StartOfPlan {
   return {
+    isAfter: false,
     postures: new Map(scene.robots.map((robot) => [robot.id, robot.q_rad])),
     poses: new Map(scene.components.flatMap((c) => (c.world_T === null ? [] : [[c.id, matrixOf(c.world_T)] as const]))),
   };

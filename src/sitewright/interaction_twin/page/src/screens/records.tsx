@@ -13,7 +13,14 @@ interface Entry {
   verb: string;
   words: string;
   shown: string[];
-  detail: { fingerprint?: string; approval?: { fingerprint: string } };
+  detail: { fingerprint?: string; approval?: { fingerprint: string; scope: { kind: "plan" | "until" | "step"; step: number } } };
+}
+
+/** Returns what was decided; in the page's own words where the journal has none for people. */
+function decided(entry: Entry): string {
+  const scope = entry.detail.approval?.scope;
+  const what = entry.words === "" ? sayWord("verb", entry.verb) : entry.words;
+  return scope === undefined ? what : `${what}: ${say(`scope.${scope.kind}`, { step: scope.step })}`;
 }
 
 function codeOf(entry: Entry): string {
@@ -60,7 +67,7 @@ export function AuditScreen() {
                   {entry.who} <span class="soft">{entry.role}</span>
                 </td>
                 <td>
-                  {entry.words}
+                  {decided(entry)}
                   {(entry.shown ?? []).length > 0 && (
                     <details>
                       <summary>{say("audit.seen")}</summary>

@@ -3,8 +3,8 @@ import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { setTime } from "../state/playing";
 import { ask, inLanguage } from "../state/server";
-import { mode, replayed } from "../state/store";
-import type { Proposal, RunEvent } from "../wire";
+import { mode, replayed, replayedBars } from "../state/store";
+import type { Bar, Proposal, RunEvent } from "../wire";
 import { atTime, say, sayWord } from "../words/words";
 
 interface RunLine {
@@ -25,6 +25,7 @@ export function RunsPanel() {
     ask<{ runs: RunLine[] }>("/api/runs").then((answer) => (lines.value = answer.runs), fail);
     return () => {
       replayed.value = null;
+      replayedBars.value = [];
       mode.value = "now";
     };
   }, []);
@@ -34,7 +35,7 @@ export function RunsPanel() {
         <h2>{say("runs.title")}</h2>
         {trouble.value !== "" && <p role="alert">{say("failed", { reason: trouble.value })}</p>}
         {lines.value?.length === 0 && <p>{say("runs.none")}</p>}
-        <ul class="runs">
+        <ul class="run-list">
           {lines.value?.map((line) => (
             <li key={line.id} class={chosen.value?.id === line.id ? "selected" : ""}>
               <button type="button" onClick={() => void open(line.id)}>
@@ -62,7 +63,7 @@ function Happened({ events }: { events: readonly RunEvent[] }) {
       <h2>{say("runs.events")}</h2>
       <input type="range" min={0} max={Math.max(events.length - 1, 0)} value={at} aria-label={say("runs.moment")} onInput={(event) => void show(events, event.currentTarget.valueAsNumber)} />
       <ol class="journal">
-        {events.map((event, index) => (
+        {events.map((event, index) => event.words !== "" && (
           <li key={event.n} class={index === at ? "selected" : ""}>
             <button type="button" aria-current={index === at ? "true" : undefined} onClick={() => void show(events, index)}>
               <time>{atTime(event.at_ms)}</time>
@@ -76,8 +77,9 @@ function Happened({ events }: { events: readonly RunEvent[] }) {
 }
 
 async function open(id: string): Promise<void> {
-  await ask<{ events: RunEvent[] }>(inLanguage(`/api/runs/${id}`)).then((answer) => {
+  await ask<{ events: RunEvent[]; actual: Bar[] }>(inLanguage(`/api/runs/${id}`)).then((answer) => {
     chosen.value = { id, events: answer.events };
+    replayedBars.value = answer.actual;
     void show(answer.events, 0);
   }, fail);
 }

@@ -4,8 +4,8 @@ import { Gantt, type GanttBar } from "../parts/gantt";
 import { PictureView } from "../parts/picture-view";
 import { PlanPanel } from "../parts/plan";
 import { Tree } from "../parts/tree";
-import { actual } from "../state/schedule";
-import { events, panel, proposal, replayed, robotNumber, scene, screen } from "../state/store";
+import { actual, barsOf } from "../state/schedule";
+import { events, panel, proposal, replayed, replayedBars, robotNumber, scene, screen } from "../state/store";
 import type { Proposal } from "../wire";
 import { atTime, say } from "../words/words";
 import { BuildingPanel } from "./building";
@@ -52,7 +52,7 @@ function CellPanel() {
 }
 
 function Journal() {
-  const shown = [...events.value].reverse();
+  const shown = events.value.filter((event) => event.words !== "").reverse();
   if (shown.length === 0) return <p class="empty">{say("journal.none")}</p>;
   return (
     <ol class="journal">
@@ -69,7 +69,7 @@ function Journal() {
 function Schedule() {
   const plan = replayed.value ?? proposal.value;
   const robots = scene.value?.robots ?? [];
-  const bars = [...(plan === null ? [] : planned(plan)), ...(replayed.value === null ? actual.value : [])];
+  const bars = [...(plan === null ? [] : planned(plan)), ...(replayed.value === null ? actual.value : barsOf(replayed.value, replayedBars.value))];
   return <Gantt bars={bars} robots={robots} end_s={Math.max(10, ...bars.map((b) => b.starts_s + b.duration_s))} />;
 }
 

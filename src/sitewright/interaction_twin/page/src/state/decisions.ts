@@ -58,7 +58,7 @@ async function send(body: Sent): Promise<boolean> {
 }
 
 function recorded(verb: string, answer: Recorded): string {
-  if (!answer.ok) return answer.waiting_for ?? "";
+  if (!answer.ok) return say("done.second");
   const who = answer.who ?? "";
   if (verb === "approve") return say("done.approved", { who });
   return verb === "reject" ? say("done.rejected", { who }) : say("done.other", { who });

@@ -1,60 +1,51 @@
-// What really ran of the open plan, beside what was planned, on the cell's clock.
-import { computed } from "@preact/signals";
+// What really ran of the open plan, beside what was planned; both from the server, on one clock.
+import { computed, effect, signal } from "@preact/signals";
 import type { GanttBar } from "../parts/gantt";
-import type { RunEvent, StepRecord } from "../wire";
+import type { Bar, Proposal } from "../wire";
+import { ask, inLanguage } from "./server";
 import { events, proposal, robotNumber } from "./store";
 
-interface Intent {
-  command_id: string;
-  fingerprint: string;
-  step: number;
+const bars = signal<readonly Bar[]>([]);
+const TOLD = new Set(["skill_outcome", "skill_intent", "run_started"]);
+const REST_MS = 250;
+
+/** Asks for the schedule when something began or ended; never more often than four times a second. */
+export function followSchedule(): () => void {
+  let asked = 0;
+  const load = (): void => {
+    asked = 0;
+    ask<{ actual: Bar[] }>(inLanguage("/api/schedule")).then(
+      (answer) => (bars.value = answer.actual),
+      () => (bars.value = []),
+    );
+  };
+  load();
+  return effect(() => {
+    const last = events.value.at(-1);
+    if (last !== undefined && TOLD.has(last.kind) && asked === 0) asked = window.setTimeout(load, REST_MS);
+  });
 }
 
-interface Outcome {
-  command_id: string;
-  report: { is_done: boolean; duration_s: number };
-}
-
-/** Bars of the steps that have ended since this page was opened, one after the other as they were started. */
+/** Bars of the open plan's steps that ran, shifted to the plan's own start. */
 export const actual = computed<readonly GanttBar[]>(() => {
   const plan = proposal.value;
-  if (plan === null) return [];
-  const stepByCommand = new Map<string, StepRecord>();
-  const bars: GanttBar[] = [];
-  let now_s = 0;
-  for (const event of events.value) {
-    const begun = begunStep(event, plan.fingerprint, plan.steps);
-    if (begun !== null) {
-      stepByCommand.set(...begun);
-      if (bars.length === 0) now_s = begun[1].starts_s;
-    }
-    if (event.kind !== "skill_outcome") continue;
-    const outcome = event.body as Outcome;
-    const step = stepByCommand.get(outcome.command_id);
-    if (step === undefined) continue;
-    bars.push(barOf(step, event.n, now_s, outcome));
-    now_s += outcome.report.duration_s;
-  }
-  return bars;
+  return plan === null ? [] : barsOf(plan, bars.value);
 });
 
-function begunStep(event: RunEvent, fingerprint: string, steps: readonly StepRecord[]): [string, StepRecord] | null {
-  if (event.kind !== "skill_intent") return null;
-  const intent = event.body as Intent;
-  const step = steps.find((s) => s.number === intent.step);
-  return intent.fingerprint === fingerprint && step !== undefined ? [intent.command_id, step] : null;
-}
-
-function barOf(step: StepRecord, n: number, starts_s: number, { report }: Outcome): GanttBar {
-  return {
-    key: `a${n}`,
-    robot: step.robot,
-    robotNumber: robotNumber(step.robot),
-    starts_s,
-    duration_s: report.duration_s,
-    words: `${step.number}. ${step.robot_name} ${step.words}`,
-    step: step.number,
+export function barsOf(plan: Proposal, all: readonly Bar[]): GanttBar[] {
+  const own = all.filter((bar) => bar.fingerprint === plan.fingerprint);
+  const first = own[0];
+  const planned = plan.steps.find((s) => s.number === first?.step);
+  const shift_s = first === undefined || planned === undefined ? 0 : first.starts_s - planned.starts_s;
+  return own.map((bar, index) => ({
+    key: `a${index}`,
+    robot: bar.robot,
+    robotNumber: robotNumber(bar.robot),
+    starts_s: Math.max(bar.starts_s - shift_s, 0),
+    duration_s: bar.duration_s,
+    words: `${bar.step}. ${bar.words}`,
+    step: bar.step,
     isActual: true,
-    isDone: report.is_done,
-  };
+    isDone: bar.is_done,
+  }));
 }

@@ -3,6 +3,7 @@ import { effect } from "@preact/signals";
 import { language } from "../words/words";
 import type { NoProposal, Proposal, RunState, Scene, Session } from "../wire";
 import { ServerLink } from "./link";
+import { followSchedule } from "./schedule";
 import { ask, inLanguage, NoAnswerError, RefusedError } from "./server";
 import { asked, isSignedOut, proposal, result, run, scene, seenSteps, selectedStep, session } from "./store";
 
@@ -16,6 +17,7 @@ export async function startPage(): Promise<void> {
     void language.value;
     void loadProposal();
   });
+  followSchedule();
   new ServerLink({ onState: follow, onSceneEpoch: (seen) => void (seen !== epoch && loadScene(seen)), onConnected: refresh }).start();
 }
 

@@ -66,5 +66,6 @@ export function inMillimetres(value_m: number): string {
 }
 
 export function atTime(ms: number): string {
-  return new Intl.DateTimeFormat(language.value, { dateStyle: "short", timeStyle: "medium" }).format(ms);
+  const place = language.value === "en" ? "en-GB" : language.value; // day before month, 24 hours
+  return new Intl.DateTimeFormat(place, { dateStyle: "short", timeStyle: "medium" }).format(ms);
 }
