@@ -4,8 +4,9 @@
 
 The real server, run process and simulated cell build the wooden frame. First each step is approved
 by itself, and the time from the press to the answer is taken: the answer comes when the approval
-is on the disk. Then pages listen while robots move in real time, and the share of a core that the
-server's process takes is measured.
+is on the disk. Then moving robots are held, and the time until the cell was told is taken. At last
+pages listen while robots move in real time, and the share of a core that the server takes is
+measured.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from statistics import quantiles
+from statistics import median, quantiles
 from typing import Any
 
 import httpx
@@ -32,6 +33,7 @@ from sitewright.app.project import new_project
 
 PROGRAM = Path(sys.executable).with_name("sitewright")
 MOST_STEPS = 40
+HOLDS = 10
 
 
 @contextlib.contextmanager
@@ -86,6 +88,26 @@ def acknowledgements(project: Path) -> list[float]:
     with served(project, speed=0.0) as (page, _):
         while len(found) < MOST_STEPS and (made := waiting(page)) is not None:
             found.append(press(page, made, {"kind": "step", "step": made["next_step"]}))
+    return found
+
+
+def holds(project: Path, count: int) -> list[float]:
+    """Return how long it took, in milliseconds, until the moving cell was told to hold."""
+    found: list[float] = []
+    with served(project, speed=1.0) as (page, _):
+        while len(found) < count and (made := waiting(page)) is not None:
+            press(page, made, {"kind": "plan"})
+            time.sleep(0.7)
+            started = time.perf_counter()
+            answer = page.post("/api/hold", json={"key": secrets.token_hex(8)})
+            took_ms = (time.perf_counter() - started) * 1000.0
+            if answer.is_success and answer.json()["told_cell"]:
+                found.append(took_ms)
+            while page.get("/api/state").json()["phase"] != "held":
+                time.sleep(0.02)
+            page.post("/api/decisions", json={"verb": "resume", "key": secrets.token_hex(8)})
+            while page.get("/api/state").json()["phase"] == "held":
+                time.sleep(0.02)
     return found
 
 
@@ -144,6 +166,8 @@ def main() -> None:
             f"approvals: {len(times)}, p50 {cuts[49]:.1f} ms, p99 {cuts[98]:.1f} ms, "
             f"worst {max(times):.1f} ms"
         )
+        stops = holds(new_project(Path(folder) / "holds"), HOLDS)
+        print(f"holds: {len(stops)}, median {median(stops):.1f} ms, worst {max(stops):.1f} ms")
         for clients in (0, options.clients):
             told = frames(
                 new_project(Path(folder) / f"of{clients}"), max(clients, 1), options.seconds

@@ -62,6 +62,12 @@ class Started:
         assert self.process.stdout is not None
         self.process.stdout.close()
 
+    def interrupt_twice(self) -> bool:
+        """Press Ctrl-C twice, as people do, while a page is connected."""
+        for _ in range(2):
+            self.process.send_signal(signal.SIGINT)
+        return True
+
     def hear(self, after: object, is_enough: Callable[[list[Any]], bool]) -> list[Any]:
         """Listen until it is enough: texts as documents, frames as they come."""
         found: list[Any] = []
@@ -141,7 +147,7 @@ def test_a_killed_server_holds_the_robots_and_the_next_one_goes_on(
         assert kinds(missed)[-1] == "run_held"
         _resume_and_build(server.page, proposal["fingerprint"])
         _kill_the_run_and_resume(server.page)
-        server.process.send_signal(signal.SIGINT)
+        server.hear(None, lambda m: _is_caught_up(m[:1]) and server.interrupt_twice())
         assert server.process.wait(PATIENCE_S) == 0
     said = capfd.readouterr().err.strip()
     assert said == "The server has ended and nothing moves; `sitewright serve` goes on."

@@ -96,14 +96,16 @@ def proposal_document(source: ProposalSource, *, is_open: bool) -> dict[str, Jso
 def differences(
     old: Proposal, new: Proposal, labels: Labels, book: Phrasebook = ENGLISH
 ) -> list[Json]:
-    """Return what one plan says and the other does not, in the order of the new one."""
+    """Return what one plan says and the other does not, in the order of the new one.
+
+    Plans for different targets differ in everything: then only that is said.
+    """
+    if old.target != new.target:
+        names = {"target": labels.name(new.target), "other": labels.name(old.target)}
+        return [{"kind": "target", "words": book.page["about"].format(**names)}]
     before = [f"{v.robot} {v.words}" for v in step_views(old.steps, labels, book)]
     after = [f"{v.robot} {v.words}" for v in step_views(new.steps, labels, book)]
     found: list[Json] = []
-    if old.target != new.target:
-        names = {"target": labels.name(new.target), "other": labels.name(old.target)}
-        words = book.page["about"].format(**names)
-        found.append({"kind": "target", "words": words})
     matcher = SequenceMatcher(None, before, after, autojunk=False)
     for kind, i1, i2, j1, j2 in matcher.get_opcodes():
         if kind == "equal":

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import shutil
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
@@ -29,7 +29,7 @@ from sitewright.central_controller.proposal import Proposal
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.clock import Clock
 from sitewright.interaction_twin.decisions import Decision, Reply, Signed
-from sitewright.interaction_twin.event_document import audit_document, event_document
+from sitewright.interaction_twin.event_document import audit_document
 from sitewright.interaction_twin.languages import PHRASEBOOKS, with_own_skills
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.proposal_document import (
@@ -119,7 +119,7 @@ class ProjectTwin:
         record, is_drawn_otherwise = heard
         if is_drawn_otherwise:
             self._scenes.outdate()
-        self._audience.tell(event_document(record.run, record.stamped, self._view.labels))
+        self._audience.tell(self._view.told(record))
 
     async def _start_again(self) -> None:
         async with self._start_lock:
@@ -139,12 +139,9 @@ class ProjectTwin:
             "cell": "live" if self.feed.is_live else "absent",
         }
 
-    def events_after(self, run: str, number: int) -> list[Document]:
+    def events_after(self, run: str, number: int) -> Sequence[Document]:
         """Return the events after one, in order."""
-        return [
-            event_document(r.run, r.stamped, self._view.labels)
-            for r in self._view.records.after(run, number)
-        ]
+        return self._view.events_after(run, number)
 
     def last_event(self) -> tuple[str, int]:
         """Return run and number of the newest event."""
@@ -228,7 +225,8 @@ class ProjectTwin:
 
     async def graph(self) -> Document:
         """Return the construction relationship graph now."""
-        graph = graph_at(self._view.project, self._view.records.state.site)
+        site = self._view.records.state.site
+        graph = await asyncio.to_thread(graph_at, self._view.project, site)
         return {
             "nodes": [
                 {

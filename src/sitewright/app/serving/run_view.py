@@ -35,6 +35,7 @@ from sitewright.central_controller.events import (
 from sitewright.central_controller.site_state import site_of
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import RobotId
+from sitewright.interaction_twin.event_document import event_document
 from sitewright.interaction_twin.labels import labels_of
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.scene_document import SceneSource
@@ -79,6 +80,8 @@ class RunView:
         self.labels = labels_of(self.project.model, self.project.cell)
         self.records = Records(site_of(self.project.model), history_of(self.runs))
         self.standing = Standing(is_active=False)
+        self._told: dict[tuple[str, int], dict[str, Json]] = {}
+        self.events_after("", 0)
 
     @property
     def runs(self) -> Path:
@@ -90,6 +93,17 @@ class RunView:
         """Of the simulated cell; None before there is one."""
         first = self.records.first_run
         return self.runs / first / "cell" if first else None
+
+    def told(self, record: Numbered) -> dict[str, Json]:
+        """Return an event as pages get it; worked out once."""
+        key = (record.run, record.stamped.number)
+        if key not in self._told:
+            self._told[key] = event_document(record.run, record.stamped, self.labels)
+        return self._told[key]
+
+    def events_after(self, run: str, number: int) -> list[dict[str, Json]]:
+        """Return the events after one, in order, as pages get them."""
+        return [self.told(r) for r in self.records.after(run, number)]
 
     def hear_event(self, message: Message) -> tuple[Numbered, bool] | None:
         """Take a record in; return it and whether more is drawn otherwise; None if it is known."""

@@ -41,8 +41,8 @@ class SceneShelf:
         """Return hash and text; a scene that is outdated while it is made is made again."""
         async with self._lock:
             while self._kept is None:
-                epoch, source = self.epoch, source_now()
-                document = await asyncio.to_thread(scene_document, source)
+                epoch = self.epoch
+                document, source = await asyncio.to_thread(_made, source_now)
                 if epoch == self.epoch:
                     self._keep(document, source)
             return self._kept
@@ -55,6 +55,11 @@ class SceneShelf:
         components = document["components"]
         assert isinstance(components, list)  # noqa: S101 -- made by `scene_document`
         self._feed.show_scene(self.epoch, joints, [_placed(c) for c in components])
+
+
+def _made(source_now: Callable[[], SceneSource]) -> tuple[dict[str, Json], SceneSource]:
+    source = source_now()
+    return scene_document(source), source
 
 
 def triangles(shape: Shape) -> Triangles:

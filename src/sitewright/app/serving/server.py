@@ -7,12 +7,12 @@ import contextlib
 import signal
 import socket
 import threading
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from types import FrameType
 
 import uvicorn
-from starlette.applications import Starlette
 from starlette.types import ASGIApp
 from typing_extensions import override
 
@@ -102,10 +102,16 @@ class PageServer:
         sessions = Sessions(key=installation_key(state_home()), clock=clock, users=users)
         with _listening(options.port) as listener:
             port = int(listener.getsockname()[1])
-            app = application(twin, sessions, hub, port=port, lifespan=_beside(twin))
+            app = application(twin, sessions, hub, port=port)
             url = f"http://{LOOPBACK}:{port}/#token={sessions.invite()}"
             self._server = EndingServer(_config(app), lambda: on_ready(Address(port=port, url=url)))
-            await self._server.serve(sockets=[listener])
+            await twin.start()
+            feeding = asyncio.create_task(twin.feed.run())
+            try:
+                await self._server.serve(sockets=[listener])
+            finally:
+                feeding.cancel()
+                await twin.stop()
 
     def stop(self) -> None:
         """End the server soon; safe from any thread."""
@@ -116,6 +122,7 @@ class PageServer:
 def _config(app: ASGIApp) -> uvicorn.Config:
     return uvicorn.Config(
         app,
+        lifespan="off",
         log_level="warning",
         ws="websockets-sansio",
         ws_max_size=_MOST_FRAME_BYTES,
@@ -125,28 +132,18 @@ def _config(app: ASGIApp) -> uvicorn.Config:
     )
 
 
-def _beside(
-    twin: ProjectTwin,
-) -> Callable[[Starlette], contextlib.AbstractAsyncContextManager[None]]:
-    @contextlib.asynccontextmanager
-    async def beside(_app: Starlette) -> AsyncIterator[None]:
-        await twin.start()
-        feeding = asyncio.create_task(twin.feed.run())
-        try:
-            yield
-        finally:
-            feeding.cancel()
-            await twin.stop()
-
-    return beside
-
-
 class EndingServer(uvicorn.Server):
     """Tells when it listens; an interrupt ends it in order, and is no error."""
 
     def __init__(self, config: uvicorn.Config, on_started: Callable[[], None]) -> None:
         super().__init__(config)
         self._on_started = on_started
+
+    @override
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        """Wish to end; who asks twice gets the same orderly end."""
+        del sig, frame
+        self.should_exit = True
 
     @override
     @contextlib.contextmanager

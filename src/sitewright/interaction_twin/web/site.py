@@ -10,7 +10,7 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
-from starlette.types import ASGIApp, Lifespan
+from starlette.types import ASGIApp
 
 from sitewright.interaction_twin.decisions import refusal
 from sitewright.interaction_twin.web.api import Api, answer
@@ -32,7 +32,6 @@ def application(
     hub: Hub,
     *,
     port: int,
-    lifespan: Lifespan[Starlette] | None = None,
 ) -> ASGIApp:
     """Return the whole server for a port of this machine.
 
@@ -41,7 +40,6 @@ def application(
         sessions: Who is signed in.
         hub: The pages that are connected.
         port: Where it listens; part of every address that it answers to.
-        lifespan: Runs beside it.
     """
     api = Api(twin, sessions, port=port)
     socket = Socket(twin, sessions, hub)
@@ -53,7 +51,6 @@ def application(
             Route("/", _page),
             Mount("/static", StaticFiles(directory=STATIC, check_dir=False)),
         ],
-        lifespan=lifespan,
     )
     return Gate(app, hosts=frozenset({f"127.0.0.1:{port}", f"localhost:{port}"}))
 

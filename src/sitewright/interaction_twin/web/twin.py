@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from sitewright.foundation.canonical import Json
@@ -50,7 +50,7 @@ class Twin(Protocol):
         """Return what a person can vouch for at a target."""
         ...
 
-    def events_after(self, run: str, number: int) -> list[Document]:
+    def events_after(self, run: str, number: int) -> Sequence[Document]:
         """Return the events after one, in order, as the WebSocket sends them."""
         ...
 
