@@ -54,7 +54,8 @@ def test_events_come_in_order_and_missed_ones_after_the_server_was_gone(tmp_path
         page = served.local()
         proposal = waiting(page)
         with listening(served, page, {"run": "", "n": 0}) as link:
-            page.post("/api/decisions", json=approval(proposal))
+            press = approval(proposal)
+            told = page.post("/api/decisions", json=press).json()
             first = heard_until(link, "component_installed")
         cookies = dict(page.cookies)
         wait_for(page, lambda s: s["phase"] == "waiting")
@@ -64,12 +65,14 @@ def test_events_come_in_order_and_missed_ones_after_the_server_was_gone(tmp_path
         (value,) = cookies.values()
         page.cookies.set(f"sitewright-{served.address.port}", value)
         assert page.get("/api/session").status_code == 200  # still signed in
+        again = page.post("/api/decisions", json=press).json()
+        assert again == {**told, "repeated": True}  # a key decides once, also across servers
         with listening(served, page, {"run": last[0], "n": last[1]}) as link:
             missed = heard_until(link, "caught-up")
-    told = [*numbers(first), *numbers(missed)]
+    heard = [*numbers(first), *numbers(missed)]
     written = [(r.run, r.stamped.number) for r in history_of(folder / "runs")]
-    assert told == written[: len(told)]
-    assert len(set(told)) == len(told)
+    assert heard == written[: len(heard)]
+    assert len(set(heard)) == len(heard)
     assert "run_held" in {m.get("kind") for m in missed}
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 
 from sitewright.app.drawn_scene import surface_of
 from sitewright.app.serving.live_feed import LiveFeed
@@ -62,8 +63,9 @@ def _made(source_now: Callable[[], SceneSource]) -> tuple[dict[str, Json], Scene
     return scene_document(source), source
 
 
+@lru_cache(maxsize=4_096)
 def triangles(shape: Shape) -> Triangles:
-    """Return the faces of a shape as the document writes them."""
+    """Return the faces of a shape as the document writes them; worked out once per shape."""
     surface = surface_of(shape)
     return surface.corners_m, surface.triangles
 
