@@ -4,8 +4,15 @@ from __future__ import annotations
 
 import pytest
 
-from sitewright.central_controller.ports import PUT_OFF, Escalation, RefusalNote
+from sitewright.central_controller.cycle_state import CycleState
+from sitewright.central_controller.events import TargetRefused, event_from_json, event_to_json
+from sitewright.central_controller.ports import PUT_OFF, CounterProposal, Escalation, RefusalNote
+from sitewright.central_controller.site_fold import site_after
+from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId
+from sitewright.interaction_twin.labels import Labels
+from sitewright.interaction_twin.report.content import Stamped
+from sitewright.interaction_twin.trouble_document import trouble_document
 
 TARGET = ComponentId("stud-1")
 
@@ -35,3 +42,24 @@ def test_a_note_says_one_of_three_things_unless_a_person_put_the_target_off(
 def test_a_proof_says_more_than_what_is_in_the_way() -> None:
     refused = Escalation(target=TARGET, reason="no", is_proven=True, blockers=("thin.1",))
     assert refused.verdict == "proven impossible"
+
+
+def test_what_a_person_is_asked_holds_what_was_tried_on_a_copy_and_works() -> None:
+    refused = TargetRefused(
+        target=TARGET,
+        reason="thin.1 is in its place",
+        is_proven=False,
+        exit_code=6,
+        blockers=("thin.1",),
+        counter_proposals=(CounterProposal(words="take thin.1 away", steps=9, duration_s=11.5),),
+    )
+    stored = event_from_json(refused.kind, refused.version, event_to_json(refused))
+    assert stored == refused
+    state = CycleState(site=site_after(SiteState(targets=(TARGET,)), stored))
+    history = [Stamped(at_utc_ns=1, event=stored)]
+    (asked,) = trouble_document(state, history, Labels(label_by_id={}))
+    assert isinstance(asked, dict)
+    assert asked["verdict"] == "blocked by thin.1"
+    assert asked["counter_proposals"] == [
+        {"words": "take thin.1 away", "steps": 9, "duration_s": 11.5}
+    ]

@@ -46,7 +46,12 @@ def _refused(
     if event is None:
         return _entry(target, reason, "", (), state, labels)
     verdict = verdict_of([labels.body(b) for b in event.blockers], is_proven=event.is_proven)
-    return _entry(target, reason, verdict, event.blockers, state, labels)
+    entry = _entry(target, reason, verdict, event.blockers, state, labels)
+    helps: list[Json] = [
+        {"words": labels.told(c.words), "steps": c.steps, "duration_s": c.duration_s}
+        for c in event.counter_proposals
+    ]
+    return {**entry, "counter_proposals": helps}
 
 
 def _entry(
@@ -56,7 +61,7 @@ def _entry(
     blockers: Sequence[str],
     state: CycleState,
     labels: Labels,
-) -> Json:
+) -> dict[str, Json]:
     return {
         "target": target,
         "name": labels.name(target),
@@ -65,6 +70,7 @@ def _entry(
         "pair": None,
         "blockers": list(blockers),
         "blocker_names": [labels.body(b) for b in blockers],
+        "counter_proposals": [],
         "options": _options(target, state),
     }
 
