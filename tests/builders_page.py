@@ -16,6 +16,7 @@ from typing import Any, Self
 
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import TimeoutError as TooLate
 
 from sitewright.app.project import new_project
 
@@ -25,6 +26,7 @@ READY = "() => Boolean(window.__m?.marks.first && window.__m.marks.ui)"
 SIZES = {390: 844, 820: 1180, 1280: 800}
 _MAIN = "from sitewright.cli.main import main; main()"
 _SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+_PATIENCE, _SENT_MS = 5, 4_000
 _NOISE = "GPU stall due to ReadPixels"
 
 
@@ -34,6 +36,7 @@ class ServedProject:
 
     folder: Path
     speed: float = 0.0
+    users: Path | None = None
     url: str = ""
     _process: subprocess.Popen[str] | None = None
     _drain: threading.Thread = field(default_factory=threading.Thread)
@@ -55,6 +58,7 @@ class ServedProject:
         """Start the server and read the link that it prints."""
         command = [sys.executable, "-c", _MAIN, "serve", str(self.folder)]
         options = ["--port", str(port), "--no-browser", "--speed", str(self.speed)]
+        options += ["--users", str(self.users)] if self.users else []
         state = {"XDG_STATE_HOME": str(self.folder.parent / "state")}
         self._process = subprocess.Popen(
             [*command, *options],
@@ -108,10 +112,10 @@ class Seen:
         if message.type in {"error", "warning"} and _NOISE not in message.text:
             self.complaints.append(message.text)
 
-    def open(self, query: str = "") -> None:
-        """Load the page (with the link's token the first time) and wait until it is there."""
+    def open(self, *, dots: float = 1.0) -> None:
+        """Load the page by its link and wait until it is there; fewer dots are drawn sooner."""
         token = self.served.url.partition("#")[2]
-        self.page.goto(f"{self.served.origin}/?dpr=1{query}#{token}")
+        self.page.goto(f"{self.served.origin}/?dpr={dots}#{token}")
         self.page.wait_for_function(READY, timeout=WAIT_MS)
         self.page.wait_for_selector("[data-link=live]", timeout=WAIT_MS)
 
@@ -139,6 +143,18 @@ class Seen:
     def armed(self) -> None:
         """Wait until Approve may be pressed."""
         self.page.wait_for_selector('.approve.main[aria-disabled="false"]', timeout=WAIT_MS)
+
+    def press(self, selector: str, *, times: int = 1) -> None:
+        """Press a button of approval; again if a busy machine had just taken it away."""
+        for _ in range(_PATIENCE):
+            self.armed()
+            try:
+                with self.page.expect_request("**/api/decisions", timeout=_SENT_MS):
+                    self.page.click(selector, click_count=times)
+            except TooLate:
+                continue
+            return
+        raise AssertionError(f"pressing {selector} sends nothing")
 
     def until(self, is_so: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
         """Ask for the state until it is as wanted."""

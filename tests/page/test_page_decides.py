@@ -13,6 +13,8 @@ from playwright.sync_api import Browser, Route
 
 from builders_page import WAIT_MS, Seen, ServedProject, browser, look
 from sitewright.app.run_folder import run_folders
+from sitewright.app.serving.users import new_user
+from sitewright.interaction_twin.roles import Role
 from sitewright.journal.sqlite import read_records
 
 
@@ -31,7 +33,7 @@ def served(tmp_path: Path) -> Iterator[ServedProject]:
 def opened(chromium: Browser, served: ServedProject) -> Seen:
     """Return a page of the local user that shows a plan."""
     seen = look(chromium, served)
-    seen.open()
+    seen.open(dots=0.5)
     if seen.json("/api/state")["phase"] == "idle":
         seen.page.click(".resume")
     seen.waiting()
@@ -53,17 +55,14 @@ def test_the_frame_is_built_in_every_mode_and_what_was_previewed_is_what_runs(
 ) -> None:
     seen = opened(chromium, served)
     page, previewed = seen.page, _previewed(seen)
-    seen.armed()
-    page.click(".approve[data-scope=step]")
+    seen.press(".approve[data-scope=step]")
     seen.until(lambda s: s["phase"] == "waiting" and s["open"]["next_step"] == 2)
     page.wait_for_selector(".step.done[data-step='1']", timeout=WAIT_MS)
     page.click(".step[data-step='4'] .row")
-    seen.armed()
-    page.click(".approve[data-scope=until]")
+    seen.press(".approve[data-scope=until]")
     seen.until(lambda s: s["phase"] == "waiting" and s["open"]["next_step"] == 5)
     page.wait_for_selector(".step.done[data-step='4']", timeout=WAIT_MS)
-    seen.armed()
-    page.dblclick(".approve.main")
+    seen.press(".approve.main", times=2)
     seen.until(lambda s: s["progress"]["installed"] == 1 and s["phase"] == "waiting")
     given = events(served, "approval_given")
     assert [g["approval"]["scope"]["kind"] for g in given] == ["step", "until", "plan"]
@@ -73,6 +72,7 @@ def test_the_frame_is_built_in_every_mode_and_what_was_previewed_is_what_runs(
 
     _reject_the_only_piece(seen)
     assert seen.complaints == []
+    _open_the_report_from_the_disk(seen, served.folder.parent / "report.html")
 
 
 def _reject_the_only_piece(seen: Seen) -> None:
@@ -93,6 +93,19 @@ def _reject_the_only_piece(seen: Seen) -> None:
     (rejected,) = events(seen.served, "approval_rejected")
     assert rejected["rejection"]["reason"] == "wrong-component"
     assert rejected["rejection"]["step"] == grasp
+
+
+def _open_the_report_from_the_disk(seen: Seen, file: Path) -> None:
+    """Keep the report as a file and see that it needs nothing else."""
+    run = seen.json("/api/state")["run"]
+    reply = seen.page.request.get(f"{seen.served.origin}/api/runs/{run}/report")
+    file.write_bytes(reply.body())
+    page = seen.page.context.new_page()
+    asked: list[str] = []
+    page.on("request", lambda r: asked.append(r.url))
+    page.goto(file.as_uri())
+    assert page.locator("svg").count() >= 1
+    assert asked == [file.as_uri()]
 
 
 def _previewed(seen: Seen) -> list[str]:
@@ -116,7 +129,7 @@ def test_a_plan_that_changed_after_it_was_read_is_refused_and_the_change_is_show
         on_the_way.append(route)
 
     page.route("**/api/decisions", keep)
-    page.click(".approve.main")
+    seen.press(".approve.main")
     rejected = {
         "verb": "reject",
         "fingerprint": first["fingerprint"],
@@ -173,3 +186,32 @@ def test_a_lost_server_is_told_at_once_and_nothing_waits_to_be_sent(
     page.wait_for_selector(".banner.lost", state="detached")
     assert [r for r in seen.requests if r.endswith("/api/decisions")] == []
     assert events(served, "approval_given") == []
+
+
+def test_a_viewer_looks_and_may_only_ask_for_a_hold(chromium: Browser, tmp_path: Path) -> None:
+    users = tmp_path / "users.toml"
+    token = new_user(users, "vera", Role.VIEWER)
+    with ServedProject(tmp_path / "frame", users=users) as served:
+        seen = look(chromium, served)
+        page = seen.page
+        page.goto(f"{served.origin}/?dpr=0.5")  # without a link: the page asks who it is
+        page.fill("input[name=user]", "vera")
+        page.fill("input[name=token]", token)
+        page.click(".sign-in button")
+        page.wait_for_selector("[data-link=live]", timeout=WAIT_MS)
+        seen.until(lambda s: s["phase"] in {"waiting", "idle"})
+        assert page.inner_text(".who") == "vera viewer"
+        status, told = seen.post("/api/decisions", {"verb": "resume", "key": "k" * 16})
+        assert (status, told["error"]) == (403, "role")
+        if seen.json("/api/state")["phase"] == "waiting":
+            plan = seen.waiting()
+            page.wait_for_function(
+                "() => document.querySelector('.approve.main').innerText.includes('viewer')"
+            )
+            assert page.get_attribute(".approve.main", "aria-disabled") == "true"
+            page.click(".approve.main", force=True)
+            body = {"verb": "approve", "fingerprint": plan["fingerprint"], "key": "k" * 16}
+            body |= {"scope": {"kind": "plan"}, "next_step": 1, "shown": []}
+            assert seen.post("/api/decisions", body)[0] == 403
+        assert page.is_enabled(".hold")
+        assert events(served, "approval_given") == []

@@ -53,6 +53,8 @@ def seen(opened: Seen) -> Iterator[Seen]:
     opened.page.click("nav button >> nth=0")
     opened.page.click(".modes button >> nth=0")
     opened.page.click(".tabs button >> nth=0")
+    if opened.page.locator(".step.selected").count():
+        opened.page.click(".step.selected .row")
 
 
 def test_nothing_is_asked_of_any_other_server(seen: Seen) -> None:

@@ -50,6 +50,11 @@ export class Mechanism {
     return this.axes.length;
   }
 
+  /** Where the mechanism stands: before its first turning joint, so that a base on a rail is found. */
+  get foot(): Object3D {
+    return this.axes.find((axis) => axis.record.kind === "revolute")?.node.parent ?? this.root;
+  }
+
   /** Sets joint values (radians, metres if prismatic) and returns the names of those out of their limits. */
   setJoints(values: ArrayLike<number>): string[] {
     const out: string[] = [];

@@ -225,7 +225,9 @@ export class CellPicture {
     const team = this.mode === "preview" ? this.rehearsed : this.live;
     return (this.scene?.robots ?? []).flatMap((robot) => {
       if (team === null) return [];
-      const place = this.stage.project(new Vector3(...robot.world_T_base.p_m).add(new Vector3(0, 0, 0.12)));
+      const foot = team.arms.get(robot.id)?.body.foot;
+      if (foot === undefined) return [];
+      const place = this.stage.project(new Vector3().setFromMatrixPosition(foot.matrixWorld).add(new Vector3(0, 0, 0.12)));
       return place === null ? [] : [{ id: robot.id, number: robot.number, ...place }];
     });
   }

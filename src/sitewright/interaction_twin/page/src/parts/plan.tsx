@@ -67,8 +67,10 @@ function Differences({ plan }: { plan: Proposal }) {
     watcher.observe(element);
     return () => watcher.disconnect();
   }, [plan.fingerprint, isStale, plan.differences.length]);
-  const { differences, previous_code: since } = plan;
-  if (differences.length === 0) return null;
+  const { previous_code: since } = plan;
+  if (plan.differences.length === 0) return null;
+  const other = plan.differences.filter((difference) => difference.kind === "target");
+  const differences = other.length > 0 ? other : plan.differences; // of another component every step is new
   return (
     <section class="differences" ref={box} tabIndex={-1} aria-label={say("plan.changed.none")}>
       <h3>{since === "" ? say("plan.changed.none") : say("plan.changed", { code: since })}</h3>
@@ -118,6 +120,13 @@ function NoPlan() {
       <h2>{say(`phase.${run.value?.phase ?? "idle"}`)}</h2>
       <p>{say(`plan.none.${known}` as "plan.none.other")}</p>
       {(run.value?.held?.reason ?? reason) !== "" && <p class="soft">{run.value?.held?.reason ?? reason}</p>}
+      {phase === "finished" && run.value !== null && (
+        <p>
+          <a class="button" href={`/api/runs/${run.value.run}/report`} target="_blank" rel="noreferrer">
+            {say("runs.report")}
+          </a>
+        </p>
+      )}
     </div>
   );
 }

@@ -5,6 +5,7 @@ import { ask } from "./server";
 import type { RunEvent, RunState } from "../wire";
 
 const STALE_MS = 500;
+const QUIET_MS = 450;
 const PROBE_MS = 400;
 const RETRY_MS = 400;
 const HEADER_BYTES = 16;
@@ -111,7 +112,7 @@ export class ServerLink {
       age_s.value = Math.floor(old_ms / 500) / 2;
       if (link.value === "live") link.value = "stale";
     }
-    if (now - this.heard_ms > STALE_MS && this.socket?.readyState === WebSocket.OPEN && !this.isProbing) void this.probe();
+    if (now - this.heard_ms > QUIET_MS && this.socket?.readyState === WebSocket.OPEN && !this.isProbing) void this.probe();
   }
 
   /** Asks over plain HTTP whether the server is there: a socket whose other end froze says nothing. */

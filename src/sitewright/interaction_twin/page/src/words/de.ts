@@ -295,6 +295,10 @@ export const de: Words = {
   "scope.until": "bis Schritt {step}",
   "scope.step": "nur Schritt {step}",
   "tree.zones": "Sperrzonen",
+  "sign-in.user": "Name",
+  "sign-in.token": "Token",
+  "sign-in.go": "Anmelden",
+  "sign-in.or": "Oder melden Sie sich mit Name und eigenem Token an:",
   "loading": "Lädt …",
   "failed": "Das ging nicht: {reason}",
 };

@@ -294,6 +294,10 @@ export const en = {
   "scope.until": "until step {step}",
   "scope.step": "step {step} only",
   "tree.zones": "Keep-out zones",
+  "sign-in.user": "Name",
+  "sign-in.token": "Token",
+  "sign-in.go": "Sign in",
+  "sign-in.or": "Or sign in with a name and a token of your own:",
   "loading": "Loading …",
   "failed": "That did not work: {reason}",
 };

@@ -295,6 +295,10 @@ export const es: Words = {
   "scope.until": "hasta el paso {step}",
   "scope.step": "solo el paso {step}",
   "tree.zones": "Zonas prohibidas",
+  "sign-in.user": "Nombre",
+  "sign-in.token": "Token",
+  "sign-in.go": "Entrar",
+  "sign-in.or": "O entre con su nombre y su propio token:",
   "loading": "Cargando …",
   "failed": "No funcionó: {reason}",
 };

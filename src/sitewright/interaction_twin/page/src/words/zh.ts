@@ -295,6 +295,10 @@ export const zh: Words = {
   "scope.until": "到第 {step} 步",
   "scope.step": "仅第 {step} 步",
   "tree.zones": "禁入区",
+  "sign-in.user": "姓名",
+  "sign-in.token": "令牌",
+  "sign-in.go": "登录",
+  "sign-in.or": "或用姓名和自己的令牌登录：",
   "loading": "正在载入……",
   "failed": "未能完成：{reason}",
 };
