@@ -74,7 +74,7 @@ def proposal_document(source: ProposalSource, *, is_open: bool) -> dict[str, Jso
         "is_single": is_single,
         "next_step": source.next_step,
         "status": source.story.status,
-        "why": source.why,
+        "why": labels.told(source.why),
         "notes": [note_in_words(n, labels) for n in source.refusals],
         "asked_at_ms": source.story.asked_at_ms,
         "decided": source.story.decided,

@@ -99,10 +99,10 @@ def state_document(state: CycleState, standing: Standing, labels: Labels) -> dic
         "run": state.run,
         "open": _open(state),
         "running": _running(state, standing, labels),
-        "question": _question(state),
+        "question": _question(state, labels),
         "held": None
         if state.held is None
-        else {"reason": state.held.reason, "exit_code": state.held.exit_code},
+        else {"reason": labels.told(state.held.reason), "exit_code": state.held.exit_code},
         "progress": {"installed": len(site.installed), "targets": len(site.targets)},
         "is_over": state.finished is not None and site.is_complete,
     }
@@ -118,9 +118,9 @@ def _words(phase: Phase, state: CycleState, standing: Standing, labels: Labels) 
         case Phase.RUNNING if state.flight is not None:
             return narrate(state.flight.intent.call, labels)
         case Phase.HELD if state.held is not None:
-            return state.held.reason
+            return labels.told(state.held.reason)
         case Phase.QUESTION if state.question is not None:
-            return state.question.text
+            return labels.told(state.question.text)
         case _:
             return _WORDS[phase]
 
@@ -169,7 +169,7 @@ def _running(state: CycleState, standing: Standing, labels: Labels) -> Json:
     }
 
 
-def _question(state: CycleState) -> Json:
+def _question(state: CycleState, labels: Labels) -> Json:
     question = state.question
     if question is None:
         return None
@@ -177,6 +177,6 @@ def _question(state: CycleState) -> Json:
         "question_id": question.question_id,
         "step": question.step,
         "target": question.target,
-        "text": question.text,
+        "text": labels.told(question.text),
         "answers": ["done", "not-done", "partial"],
     }

@@ -65,7 +65,7 @@ def _entry(
     return {
         "target": target,
         "name": labels.name(target),
-        "reason": reason,
+        "reason": labels.told(reason),
         "verdict": verdict,
         "pair": None,
         "blockers": list(blockers),

@@ -15,6 +15,7 @@ from threading import Condition
 from sitewright.app.serving.memory import Memory, decision_of
 from sitewright.app.serving.rules import answer_of, objection, sameness, zone_objection
 from sitewright.central_controller.decision import DecisionRecord
+from sitewright.central_controller.events import RunFinished, RunHeld
 from sitewright.central_controller.ports import (
     Alternative,
     ApprovalAnswer,
@@ -50,10 +51,15 @@ ABOUT_THE_SITE = (Verb.ZONE, Verb.MISMATCH, Verb.MANUAL)
 
 @dataclass
 class _Taken:
-    """The decision that was taken and is not on the disk yet, with all who wait for that."""
+    """The decision that was taken and is not on the disk yet, with all who wait for that.
+
+    Attributes:
+        is_for_next: It begins the next run, or goes on with this one after it stopped.
+    """
 
     signed: Signed
     respond: list[Respond] = field(default_factory=list)
+    is_for_next: bool = False
 
 
 @dataclass
@@ -138,7 +144,10 @@ class Desk:
         with self._changed:
             self._changed.wait_for(lambda: self._taken is not None or self._has_quit)
             self._waits_to_go = False
-            return None if self._taken is None else self._taken.signed
+            if self._taken is None:
+                return None
+            self._taken.is_for_next = False
+            return self._taken.signed
 
     def hold_asked(self) -> Hold | None:
         """Return the hold that somebody asked for and that is not in the journal yet."""
@@ -149,8 +158,8 @@ class Desk:
         with self._changed:
             self._memory.note(run, stamped)
             record = decision_of(stamped.event)
-            if stamped.event.kind == "run_held":
-                self._hold = None
+            if isinstance(stamped.event, RunHeld | RunFinished):  # what is left is tidying up
+                self._waits_to_go, self._hold = True, None
             taken = self._taken
             if taken is None or record is None or record.key != taken.signed.decision.key:
                 return
@@ -162,10 +171,11 @@ class Desk:
     def run_ended(self, error: BaseException | None, message: str) -> None:
         """Tell those who still wait that the run stopped before their decision was recorded."""
         with self._changed:
-            taken, self._taken = self._taken, None
+            taken = self._taken
             self._waits_to_go, self._hold = True, None
-        if taken is None:
-            return
+            if taken is None or taken.is_for_next:
+                return
+            self._taken = None
         reply = not_asked(message)
         if isinstance(error, JournalError):
             reply = not_recorded(str(error))
@@ -236,7 +246,7 @@ class Desk:
             if other is None:
                 return one_of_two(signed)
             signed = replace(signed, second=other.person.who)
-        self._taken = _Taken(signed, [respond])
+        self._taken = _Taken(signed, [respond], is_for_next=self._waits_to_go)
         return None
 
     def _repeated(self, signed: Signed, respond: Respond) -> Reply | None:
