@@ -80,7 +80,7 @@ function ShowPlan({ code }: { code: string }) {
     panel.value = "plan";
   };
   return (
-    <section class="acts" aria-label={say("acts.label", { code })}>
+    <section class="acts single" aria-label={say("acts.label", { code })}>
       <button type="button" onClick={show}>
         <b>{say("act.show")}</b>
         <small>{code}</small>

@@ -74,7 +74,7 @@ function Differences({ plan }: { plan: Proposal }) {
   return (
     <section class="differences" ref={box} tabIndex={-1} aria-label={say("plan.changed.none")}>
       <h3>{since === "" ? say("plan.changed.none") : say("plan.changed", { code: since })}</h3>
-      <ul>
+      <ul tabIndex={0}>
         {differences.map((difference, index) => (
           <li key={index} class={difference.kind}>
             <span aria-hidden="true">{SIGN[difference.kind]}</span> {difference.step !== undefined && `${difference.step}. `}

@@ -21,9 +21,9 @@ interface ToolKey {
   pose: Pose;
 }
 
-/** What is known of the site: as it was before the plan, or (`isAfter`) as the plan left it. */
+/** What is known of the site: as it is when the first `done` steps of the plan have run. */
 export interface StartOfPlan {
-  isAfter: boolean;
+  done: number;
   postures: ReadonlyMap<string, readonly number[]>;
   poses: ReadonlyMap<string, Matrix4>;
 }
@@ -95,19 +95,20 @@ export class Rehearsal {
     const held = new Map<string, string>();
     for (const step of this.proposal.steps) {
       const before = step.holds_before?.piece;
-      if (before !== undefined && held.get(step.robot) !== before) this.hang(step.starts_s, step.robot, before, team);
+      if (before !== undefined && held.get(step.robot) !== before) this.hang(step.starts_s, step, before, team);
       const after = step.holds_after?.piece;
       const end_s = step.starts_s + step.duration_s;
-      if (after !== undefined && after !== before) this.hang(end_s, step.robot, after, team);
+      if (after !== undefined && after !== before) this.hang(end_s, step, after, team);
       if (after === undefined && before !== undefined) this.lay(end_s, step.robot, before, team);
       if (after === undefined) held.delete(step.robot);
       else held.set(step.robot, after);
     }
   }
 
-  private hang(time_s: number, robot: string, piece: string, team: Team): void {
-    if (this.start.isAfter) {
-      this.hangBackwards(time_s, robot, piece, team);
+  private hang(time_s: number, step: StepRecord, piece: string, team: Team): void {
+    const { robot } = step;
+    if (step.number <= this.start.done) {
+      this.hangBackwards(time_s, step, piece, team);
       return;
     }
     this.pose(time_s, team, null);
@@ -116,13 +117,16 @@ export class Rehearsal {
     if (pose !== undefined) this.pieceKeys.push({ time_s, piece, robot, pose: tip.invert().multiply(pose) });
   }
 
-  /** Works out a grip from where the piece was let go: it did not slip on the way. */
-  private hangBackwards(time_s: number, robot: string, piece: string, team: Team): void {
-    const end = this.proposal.steps.find((s) => s.robot === robot && s.starts_s >= time_s - 1e-6 && s.holds_before?.piece === piece && s.holds_after === null);
-    const left = this.start.poses.get(piece);
-    if (end === undefined || left === undefined) return;
-    this.pose(end.starts_s + end.duration_s, team, null);
-    const pose = team.tipOf(robot).invert().multiply(left);
+  /** Works out a grip of a step that has run from where the piece is now: it did not slip on the way. */
+  private hangBackwards(time_s: number, step: StepRecord, piece: string, team: Team): void {
+    const { robot } = step;
+    const now = this.start.poses.get(piece);
+    if (now === undefined) return;
+    const later = this.proposal.steps.filter((s) => s.robot === robot && s.number > step.number && s.number <= this.start.done);
+    const end = later.find((s) => s.holds_before?.piece === piece && s.holds_after === null);
+    if (end === undefined) team.setPosture(robot, this.start.postures.get(robot) ?? []);
+    else this.pose(end.starts_s + end.duration_s, team, null);
+    const pose = team.tipOf(robot).invert().multiply(now);
     this.pose(time_s, team, null);
     this.pieceKeys.push({ time_s: -1, piece, robot: null, pose: team.tipOf(robot).multiply(pose) });
     this.pieceKeys.push({ time_s, piece, robot, pose });
@@ -147,7 +151,7 @@ function poseOf(key: PieceKey, team: Team): Matrix4 {
 /** Returns the start of a plan from the scene document alone. */
 export function documentedStart(scene: Scene): StartOfPlan {
   return {
-    isAfter: false,
+    done: 0,
     postures: new Map(scene.robots.map((robot) => [robot.id, robot.q_rad])),
     poses: new Map(scene.components.flatMap((c) => (c.world_T === null ? [] : [[c.id, matrixOf(c.world_T)] as const]))),
   };

@@ -33,7 +33,7 @@ let kept: { fingerprint: string; start: StartOfPlan } | null = null;
 /** Returns how things were when the plan was first seen; while it runs they are elsewhere already. */
 function startOf(plan: Proposal, known: Scene, picture: CellPicture): StartOfPlan {
   if (kept?.fingerprint !== plan.fingerprint) {
-    kept = { fingerprint: plan.fingerprint, start: { ...documentedStart(known), poses: picture.sensedPoses, isAfter: plan.status === "done" } };
+    kept = { fingerprint: plan.fingerprint, start: { ...documentedStart(known), poses: picture.sensedPoses, done: plan.status === "done" ? Infinity : plan.next_step - 1 } };
   }
   return kept.start;
 }
