@@ -31,8 +31,8 @@ from benchmarks.motion.trial import shared_backends
 from sitewright.planning_twin.motion import JointLimits, JointPath, PathSegment
 from sitewright.robot_team.description import Joints
 
-_HARDLY_MORE = 1.02
-"""OMPL looks at its clock between two steps."""
+_HARDLY_MORE = 1.1
+"""OMPL looks at its clock between two steps, some of which take long."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,7 +18,10 @@ from sitewright.robot_team.description import Joints
 
 
 class Ompl(Solver):
-    """One of OMPL's planners, until its first path; then OMPL's own shortening."""
+    """One of OMPL's planners, until its first path; then OMPL's own shortening.
+
+    BIT* tells of no path before its time is over; it goes on with what it has, and needs no more.
+    """
 
     def __init__(self, planner: str) -> None:
         import ompl.base
@@ -55,7 +58,8 @@ class Ompl(Solver):
             return Answer(spent_s=time.process_time() - start, reason="no path in time")
         found = self._waypoints(setup)
         left_s = BUDGET_S - (time.process_time() - start)
-        setup.simplifySolution(max(0.01, left_s))
+        if left_s > 0.0:
+            setup.simplifySolution(left_s)
         return Answer(
             waypoints_rad=self._waypoints(setup),
             otherwise_rad=found,

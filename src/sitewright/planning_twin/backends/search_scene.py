@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
@@ -91,8 +92,9 @@ class SearchScene:
         The end comes first, then the middles of ever smaller stretches, so that a blocked line is
         found out soon. A step is the length of the difference of two postures.
         """
-        shares = _shares(int(np.ceil(float(np.linalg.norm(b - a)) / step_rad)))
-        return any(map(self._model.is_hit, a + shares * (b - a)))
+        way = b - a
+        shares = _shares(math.ceil(math.sqrt(way @ way) / step_rad))
+        return any(map(self._model.is_hit, a + shares * way))
 
     def tip(self, robot: RobotId, q: Array) -> Array:
         """Return a robot's tip frame in the world, 4 x 4."""

@@ -13,7 +13,7 @@ from sitewright.planning_twin.scene import SceneSnapshot
 
 _TIP_STEP_M = 0.02
 """Along so much of a straight line of the tip, a line in joint space strays by under 0.1 mm."""
-_DAMPING = 1e-4
+_DAMPED = 1e-4**2 * np.eye(6)
 _FASTEST_TURN_RAD = 0.12
 """A joint that would turn further on one step is near a singular posture."""
 
@@ -99,7 +99,7 @@ class SearchSpace:
             direction: Shift in the world, of length one; the tip does not turn.
             length_m: At most so far.
         """
-        shift = direction * _TIP_STEP_M
+        shift = np.concatenate((direction * _TIP_STEP_M, np.zeros(3)))
         before: Array | None = None
         for _ in range(round(length_m / _TIP_STEP_M)):
             here = self._rates(tip, q, shift)
@@ -114,17 +114,16 @@ class SearchSpace:
             q, before = following, here
 
     def _rates(self, tip: int, q: Array, shift: Array) -> Array:
-        """Return how far the joints turn for a small shift of a tip."""
+        """Return how far the joints turn for a small shift of a tip, 3 along and 3 about axes."""
         mine = self.joints_of(tip)
         rows = self._search.tip_rates(self._robots[tip], self._posture(q))
-        twist = np.concatenate((shift, np.zeros(3)))
-        square = rows @ rows.T + _DAMPING**2 * np.eye(6)
+        square = rows @ rows.T + _DAMPED
         rates = np.zeros_like(q)
-        rates[mine] = rows.T @ np.linalg.solve(square, twist)
+        rates[mine] = rows.T @ np.linalg.solve(square, shift)
         return rates
 
     def _is_inside(self, q: Array) -> bool:
-        return bool((q >= self.lower).all() and (q <= self.upper).all())
+        return not bool(((q < self.lower) | (q > self.upper)).any())
 
     def _posture(self, q: Array) -> Array:
         full = self._full.copy()
