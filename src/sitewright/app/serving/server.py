@@ -29,6 +29,7 @@ from sitewright.interaction_twin.web.site import application
 
 LOOPBACK = "127.0.0.1"
 _MOST_FRAME_BYTES = 256_000
+_MOST_CONNECTIONS = 256
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,6 +124,7 @@ def _config(app: ASGIApp) -> uvicorn.Config:
     return uvicorn.Config(
         app,
         lifespan="off",
+        limit_concurrency=_MOST_CONNECTIONS,
         log_level="warning",
         ws="websockets-sansio",
         ws_max_size=_MOST_FRAME_BYTES,

@@ -64,7 +64,8 @@ class Gate:
                 return
             await self._app(scope, receive, send)
             return
-        answer = _with_headers(send)
+        is_file = not scope["path"].startswith("/api")
+        answer = _with_headers(send, "no-cache" if is_file else "no-store")
         if no is not None:
             await JSONResponse(no.body(), no.status)(scope, receive, answer)
             return
@@ -125,13 +126,15 @@ def _bounded(receive: Receive) -> Receive:
     return bounded
 
 
-def _with_headers(send: Send) -> Send:
+def _with_headers(send: Send, caching: str) -> Send:
+    """Return a `send` that adds what every answer says; files may be kept, and asked for anew."""
+
     async def with_headers(message: Message) -> None:
         if message["type"] == "http.response.start":
             headers = MutableHeaders(scope=message)
             for name, value in _HEADERS.items():
                 headers.setdefault(name, value)
-            headers.setdefault("cache-control", "no-store")
+            headers.setdefault("cache-control", caching)
         await send(message)
 
     return with_headers
