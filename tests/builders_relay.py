@@ -53,6 +53,11 @@ world_T_stock = {{ p_m = [{stock_x}, 0.0, 0.30]{turn} }}
 _ACROSS = ", q_wxyz = [0.7071067812, 0, 0, 0.7071067812]"
 
 
+def fixture_text(name: str, size_m: list[float], p_m: list[float]) -> str:
+    """Return a box that stands in the cell, as ``cell.toml`` has it."""
+    return _FIXTURE.format(id=name, size_m=size_m, p_m=p_m)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Relay:
     """Where things stand.
@@ -98,7 +103,7 @@ class Relay:
         return "".join(
             (
                 _CELL.format(target_x=self.target_x),
-                *(_FIXTURE.format(id=i, size_m=s, p_m=p) for i, (s, p) in fixtures.items()),
+                *(fixture_text(i, s, p) for i, (s, p) in fixtures.items()),
                 *(_ROBOT.format(name=name, x=bx, y=by) for name, bx, by in self.arms),
                 _PLACES.format(stock_x=self.stock_x, buffer_x=x, buffer_y=y, turn=turn),
             )

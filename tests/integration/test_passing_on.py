@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from builders_relay import HAND_OVER, REGRASP, Relay
+from builders_relay import HAND_OVER, REGRASP, Relay, fixture_text
 from builders_site import RealSite, check_journal_against_physics
 from sitewright.app.planning import PlanReport, plan_project
 from sitewright.app.project import open_project
@@ -69,11 +69,19 @@ def test_without_a_place_between_the_refusal_is_a_proof(tmp_path: Path) -> None:
     assert refused.verdict == "proven impossible"
 
 
-def test_where_the_second_arm_does_not_reach_the_place_between_it_is_no_proof(
-    tmp_path: Path,
-) -> None:
+def test_where_no_chain_of_arms_leads_to_the_target_it_is_a_proof_too(tmp_path: Path) -> None:
     far = replace(HAND_OVER, arms=(("a", -2.1, 0.0), ("b", 4.7, 0.0)))
     (refused,) = planned(far, tmp_path / "p").escalated
+    assert refused.is_proven
+
+
+def test_a_chain_that_only_something_in_the_way_breaks_is_no_proof(tmp_path: Path) -> None:
+    """A post stands on the buffer: both arms reach it, and nothing can be laid there."""
+    folder = HAND_OVER.write(tmp_path / "p")
+    post = fixture_text("post", [0.2, 0.2, 1.0], [0.0, 0.0, 0.80])
+    cell = folder / "cell.toml"
+    cell.write_text(cell.read_text() + post)
+    (refused,) = plan_project(open_project(folder)).escalated
     assert not refused.is_proven
     assert refused.verdict == "not found within budget"
 

@@ -100,7 +100,7 @@ class Recovery:
         self, context: SiteContext, refusal: TargetRefusal
     ) -> Iterator[_WayRound]:
         """Yield plans in which a piece is laid down first: for another robot, or another grasp."""
-        for piece in refusal.start_matters[:_MOST_BROUGHT]:
+        for piece in refusal.passable[:_MOST_BROUGHT]:
             for place in self._buffers(context, piece):
                 if not self._serves_from(context, piece, place):
                     continue

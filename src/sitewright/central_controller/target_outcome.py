@@ -61,7 +61,7 @@ class TargetRefusal:
         is_limit: A budget ended; more rounds might help.
         removals: Smallest sets of bodies and robots without which there might be a plan.
         start_matters: Pieces that might serve if they lay, or were held, differently.
-        has_buffers: There are places in the cell to lay them down.
+        passable: Those of them that robots might pass on by way of buffers, by reach alone.
         blamed: Facts without whose refusal there might be a plan.
     """
 
@@ -72,7 +72,7 @@ class TargetRefusal:
     notes: tuple[RefusalNote, ...]
     removals: tuple[tuple[str, ...], ...] = ()
     start_matters: tuple[ComponentId, ...] = ()
-    has_buffers: bool = False
+    passable: tuple[ComponentId, ...] = ()
     blamed: tuple[Fact, ...] = ()
 
     @property
@@ -92,19 +92,20 @@ def no_plan_left(
     """Return the refusal of a target that the symbols allow no plan for any more.
 
     A proof over facts is one over the site only if every fact taken away was proven. Nor is it
-    one if a piece might be taken and placed from a buffer.
+    one if a piece might be passed on by way of buffers.
     """
     start_matters = tuple(p for p in pieces_to_blame(blame) if study.depends_on_start(p))
+    passable = tuple(p for p in start_matters if p in study.passable)
     is_proven = no.is_proven and all(n.is_proven for n in lessons.nogoods)
     return TargetRefusal(
         problem=problem,
         reason=reason_for(problem.target, no.reason, blame),
-        is_proven=is_proven and not (start_matters and study.has_buffers),
+        is_proven=is_proven and not passable,
         is_limit=not no.is_proven,
         notes=tuple(notes),
         removals=removals_of(blame),
         start_matters=start_matters,
-        has_buffers=study.has_buffers,
+        passable=passable,
         blamed=tuple(dict.fromkeys(n.fact for n in (*blame.alone, *blame.together))),
     )
 
@@ -121,6 +122,7 @@ def given_up(
     """Return the refusal of a target whose motions failed too often; never a proof."""
     told = tuple(notes)
     blockers = told[-1].blockers if told else ()
+    start_matters = tuple(p for p in candidates if study.depends_on_start(p))
     return TargetRefusal(
         problem=problem,
         reason=reason,
@@ -128,8 +130,8 @@ def given_up(
         is_limit=is_limit,
         notes=told,
         removals=(blockers,) if blockers else (),
-        start_matters=tuple(p for p in candidates if study.depends_on_start(p)),
-        has_buffers=study.has_buffers,
+        start_matters=start_matters,
+        passable=tuple(p for p in start_matters if p in study.passable),
     )
 
 

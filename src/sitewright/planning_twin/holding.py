@@ -89,6 +89,17 @@ def depends_on_start(refusal: Refusal) -> bool:
             return False
 
 
+def is_out_of_reach(
+    context: TwinContext, robot: Robot, piece: ComponentId, world_T_piece: Pose
+) -> bool:
+    """Tell whether it is proven that a robot reaches a piece at a pose with no grasp at all."""
+    tool = context.tool_of(robot.id)
+    if tool is None or tool.grips_m is None:
+        return True
+    candidates = _candidates(context, robot, tool, piece)
+    return bool(_proofs_of_far(context, robot, tool, world_T_piece, candidates))
+
+
 def _taken(
     context: TwinContext,
     robot: Robot,

@@ -10,6 +10,7 @@ from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.holding import depends_on_start, find_holding, steadying
 from sitewright.planning_twin.holding_scope import holding_scope
 from sitewright.planning_twin.jobsite import Jobsite
+from sitewright.planning_twin.passing_on import might_be_passed_on
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, Refusal
 from sitewright.planning_twin.scope import scope_of
 from sitewright.planning_twin.study_facts import base_facts, out_of_reach, tools_at_spots
@@ -44,14 +45,14 @@ class Study:
         base: Facts as if nothing had been refused.
         holdings: By robot and piece: the grasp that serves all its motions.
         lies_at: Stock place or buffer station of each candidate piece.
-        has_buffers: There is a place to lay a piece down and to take it differently.
+        passable: Pieces that robots might pass on to the target by way of buffers.
     """
 
     base: GeometricFacts
     holdings: Mapping[tuple[RobotId, ComponentId], Holding]
     refusals: tuple[StudyRefusal, ...] = ()
     lies_at: Mapping[ComponentId, PlaceId] = field(default_factory=dict)
-    has_buffers: bool = False
+    passable: frozenset[ComponentId] = frozenset()
 
     def depends_on_start(self, piece: ComponentId) -> bool:
         """Tell whether a piece might be taken and placed if it lay, or were held, differently.
@@ -99,8 +100,14 @@ def study(context: TwinContext, lies_at: Mapping[ComponentId, PlaceId]) -> Study
         holdings=holdings,
         refusals=tuple(refusals),
         lies_at=lies_at,
-        has_buffers=bool(context.task.buffers),
+        passable=frozenset(_passable(context)),
     )
+
+
+def _passable(context: TwinContext) -> Iterator[ComponentId]:
+    task = context.task
+    if task.buffers and task.placed is None:
+        yield from (p for p in task.candidates if might_be_passed_on(context, p))
 
 
 def with_another_grasp(
