@@ -29,7 +29,7 @@ from sitewright.central_controller.site_state import site_of
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.decisions import Reply
 
-WAIT_S = 30.0
+WAIT_S = 60.0
 
 
 class ThreadLink:
@@ -153,7 +153,9 @@ class Served:
         """Return a client that nobody knows; it has the page's Origin unless told otherwise."""
         own = {"origin": self.origin, **headers}
         headers = {k: v for k, v in own.items() if v}
-        return self._clients.enter_context(httpx.Client(base_url=self.origin, headers=headers))
+        return self._clients.enter_context(
+            httpx.Client(base_url=self.origin, headers=headers, timeout=WAIT_S)
+        )
 
     def local(self) -> httpx.Client:
         """Return the local user's client; works once per server."""

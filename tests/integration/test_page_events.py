@@ -27,6 +27,7 @@ def listening(served: Served, page: httpx.Client, after: object) -> Iterator[Cli
     with connect(
         f"ws://127.0.0.1:{served.address.port}/ws",
         additional_headers={"origin": served.origin},
+        open_timeout=60,
         close_timeout=2,
     ) as link:
         ticket = page.post("/api/ws-ticket", json={}).json()["ticket"]
@@ -38,7 +39,7 @@ def heard_until(link: ClientConnection, kind: str) -> list[dict[str, Any]]:
     """Return all texts up to the first of a kind of event or message."""
     found: list[dict[str, Any]] = []
     while not found or kind not in {found[-1]["type"], found[-1].get("kind")}:
-        message = link.recv(20)
+        message = link.recv(60)
         if isinstance(message, str):
             found.append(json.loads(message))
     return found

@@ -50,7 +50,7 @@ class Started:
             text += self.process.stdout.readline()
         told = json.loads(text)
         origin, token = told["url"].split("/#token=")
-        self.page = httpx.Client(base_url=origin, headers={"origin": origin}, timeout=30.0)
+        self.page = httpx.Client(base_url=origin, headers={"origin": origin}, timeout=PATIENCE_S)
         assert self.page.post("/api/session", json={"token": token}).status_code == 200
         return self
 
@@ -73,7 +73,9 @@ class Started:
         found: list[Any] = []
         url = str(self.page.base_url).replace("http", "ws", 1).rstrip("/")
         with connect(
-            f"{url}/ws", additional_headers={"origin": url.replace("ws", "http", 1)}
+            f"{url}/ws",
+            additional_headers={"origin": url.replace("ws", "http", 1)},
+            open_timeout=PATIENCE_S,
         ) as link:
             ticket = self.page.post("/api/ws-ticket", json={}).json()["ticket"]
             link.send(json.dumps({"ticket": ticket, "after": after}))

@@ -41,7 +41,7 @@ def raw(
     served: Served, method: str, path: str, headers: list[tuple[str, str]], body: bytes = b""
 ) -> tuple[int, dict[str, Any]]:
     """Send a request exactly as given, also one that no client library would send."""
-    link = http.client.HTTPConnection("127.0.0.1", served.address.port, timeout=10)
+    link = http.client.HTTPConnection("127.0.0.1", served.address.port, timeout=60)
     try:
         link.putrequest(method, path, skip_host=True, skip_accept_encoding=True)
         for name, value in headers:
@@ -243,7 +243,7 @@ def socket(served: Served, **headers: str) -> ClientConnection:
     return connect(
         f"ws://127.0.0.1:{served.address.port}/ws",
         additional_headers={k: v for k, v in found.items() if v},
-        open_timeout=10,
+        open_timeout=60,
         close_timeout=2,
     )
 
@@ -268,11 +268,11 @@ def test_a_ticket_opens_one_socket(served: Served, tokens: dict[str, str]) -> No
     ticket = client.post("/api/ws-ticket", json={}).json()["ticket"]
     with socket(served) as first:
         first.send(json.dumps({"ticket": ticket, "after": None}))
-        assert json.loads(first.recv(10))["type"] == "caught-up"
+        assert json.loads(first.recv(60))["type"] == "caught-up"
         with socket(served) as second:
             second.send(json.dumps({"ticket": ticket}))
             with pytest.raises(ConnectionClosed) as closed:
-                second.recv(10)
+                second.recv(60)
             assert closed.value.rcvd is not None
             assert closed.value.rcvd.code == 4401
 

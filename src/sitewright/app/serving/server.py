@@ -30,6 +30,7 @@ from sitewright.interaction_twin.web.site import application
 LOOPBACK = "127.0.0.1"
 _MOST_FRAME_BYTES = 256_000
 _MOST_CONNECTIONS = 256
+_PAGES_LEAVE_S = 10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -130,7 +131,7 @@ def _config(app: ASGIApp) -> uvicorn.Config:
         ws_max_size=_MOST_FRAME_BYTES,
         server_header=False,
         date_header=False,
-        timeout_graceful_shutdown=2,
+        timeout_graceful_shutdown=_PAGES_LEAVE_S,
     )
 
 
