@@ -153,6 +153,13 @@ def frames(project: Path, clients: int, seconds: float) -> dict[str, float]:
     }
 
 
+def end_cells(folder: str) -> None:
+    """End the simulated cells of a folder; they outlive their servers."""
+    for process in psutil.process_iter(["cmdline"]):
+        if any(folder in word for word in process.info["cmdline"] or ()):
+            process.terminate()
+
+
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -173,6 +180,7 @@ def main() -> None:
                 new_project(Path(folder) / f"of{clients}"), max(clients, 1), options.seconds
             )
             print(f"{max(clients, 1)} pages: " + ", ".join(f"{k} {v:.3f}" for k, v in told.items()))
+        end_cells(folder)
 
 
 if __name__ == "__main__":

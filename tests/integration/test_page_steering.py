@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -160,7 +161,21 @@ def test_two_people_must_agree_where_the_policy_asks_for_it(
         low = operator.post("/api/decisions", json=approval(proposal))
         assert (low.status_code, low.json()["needs"]) == (403, "supervisor")
         assert "clearance 42 mm is under the policy's 50 mm" in low.json()["message"]
-        assert ann.post("/api/decisions", json=approval(proposal)).status_code == 200
+        _one_of_two_wins({"ann": ann, "ben": ben}, proposal)
+
+
+def _one_of_two_wins(people: dict[str, Any], proposal: dict[str, Any]) -> None:
+    """Let two people approve the same plan at once: the loser learns who was quicker."""
+
+    def press(name: str) -> tuple[str, Any]:
+        return name, people[name].post("/api/decisions", json=approval(proposal))
+
+    with ThreadPoolExecutor(2) as pool:
+        answers = dict(pool.map(press, people))
+    (winner,) = [n for n, a in answers.items() if a.status_code == 200]
+    (loser,) = [a for n, a in answers.items() if n != winner]
+    assert (loser.status_code, loser.json()["error"]) == (409, "decided")
+    assert loser.json()["who"] == winner
 
 
 def test_a_drawn_zone_in_the_way_makes_a_certificate_stale(
