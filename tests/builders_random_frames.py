@@ -16,7 +16,7 @@ from shapely import Point, Polygon, box
 from shapely.affinity import rotate, translate
 
 from builders_building import nail, piece
-from builders_planning import EXAMPLES
+from builders_planning import EXAMPLES, B
 from sitewright.app.project import Project, read_project
 from sitewright.building_model.component import BoxGeometry, Component, Layer, Operation
 from sitewright.building_model.model import BuildingModel, Stack
@@ -72,8 +72,13 @@ class _Lot:
     pallets: tuple[Pose, Pose]
 
 
-def random_frame(seed: int) -> Project:
-    """Return the frame of a seed: two or three supports, two to six studs, nails, two pallets."""
+def random_frame(seed: int, *, nailer_away_m: float = 0.0) -> Project:
+    """Return the frame of a seed: two or three supports, two to six studs, nails, two pallets.
+
+    Args:
+        seed: Of all lots.
+        nailer_away_m: The nailer stands so much further from the table than in the case study.
+    """
     lot = _drawn(Random(seed))  # noqa: S311 - frames are no secrets
     project = read_project(EXAMPLES / "wooden_frame")
     model_T_frame = translation(*lot.shift_m, 0.0) @ rotation(_UP, lot.turn_rad)
@@ -89,12 +94,14 @@ def random_frame(seed: int) -> Project:
         component_by_id={c.id: c for c in sorted((*targets, *pieces), key=lambda c: c.id)},
         stacks=tuple(stack for stack, _ in stacks),
     )
-    return replace(project, model=model, cell=_with_pallets(project.cell, lot))
+    return replace(
+        project, model=model, cell=_with_nailer(_with_pallets(project.cell, lot), nailer_away_m)
+    )
 
 
 def _drawn(lots: Random) -> _Lot:
     rows = lots.choice((2, 2, 2, 3))
-    reach_x_m = lots.uniform(0.35, 0.65)
+    reach_x_m = lots.uniform(0.35, 0.70)
     count = lots.randint(2, 6)
     support_m = (lots.uniform(1.4, 2.4), lots.choice((0.06, 0.09, 0.12)), lots.uniform(0.06, 0.16))
     stud_m = (
@@ -102,14 +109,15 @@ def _drawn(lots: Random) -> _Lot:
         lots.choice((0.06, 0.09, 0.12)),
         lots.uniform(0.035, 0.07),
     )
+    nails = lots.choice((1, 2))
     return _Lot(
         support_m=support_m,
         stud_m=stud_m,
         support_x_m=(-reach_x_m, reach_x_m) if rows == 2 else (-reach_x_m, 0.0, reach_x_m),
         stud_y_m=tuple(_spread(lots, count, support_m[0] / 2.0 - 0.1, 2.5 * stud_m[1])),
         turn_rad=lots.choice((0.0, 0.0, lots.uniform(-0.12, 0.12))),
-        shift_m=(lots.uniform(-0.05, 0.05), lots.uniform(-0.15, 0.15)),
-        nails=lots.choice((1, 2)),
+        shift_m=(lots.uniform(-0.05, 0.05), lots.uniform(-1.0, 1.0) * (1.25 - support_m[0] / 2.0)),
+        nails=nails,
         hold_until=lots.choice((1, 1, 2)),
         pallets=(_pallet(lots, 1.0, support_m), _pallet(lots, -1.0, stud_m)),
     )
@@ -208,3 +216,9 @@ def _with_pallets(cell: Cell, lot: _Lot) -> Cell:
         )
         kept[stand.id] = stand
     return replace(cell, fixture_by_id=kept, stock_place_by_id=places)
+
+
+def _with_nailer(cell: Cell, away_m: float) -> Cell:
+    nailer = cell.robot_by_id[B]
+    there = replace(nailer, world_T_base=translation(away_m, 0.0, 0.0) @ nailer.world_T_base)
+    return replace(cell, robot_by_id={**cell.robot_by_id, B: there})

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from builders_random_frames import random_frame
+from independent_reach import unreachable
 from sitewright.app.planning import plan_project
+from sitewright.foundation.ids import ComponentId
 
 
 def test_a_stud_with_a_near_and_a_far_nail_is_held_in_the_one_way_that_lets_both_be_driven() -> (
@@ -20,3 +22,15 @@ def test_a_stud_with_a_near_and_a_far_nail_is_held_in_the_one_way_that_lets_both
     skills = [s.call.skill for s in stud.steps]
     held = skills[skills.index("position") : skills.index("release")]
     assert held.count("fasten") == 2
+
+
+def test_what_is_called_impossible_is_out_of_reach_by_a_check_that_shares_no_code() -> None:
+    """The nailer stands 0.35 m too far off: some far nails are out of its reach, by millimetres."""
+    project = random_frame(3, nailer_away_m=0.35)
+    report = plan_project(project)
+    impossible = {e.target for e in report.escalated if e.is_proven}
+    assert impossible == {"stud-1", "stud-3"}
+    assert {e.target for e in report.escalated} == impossible
+    assert all(unreachable(project, t) for t in impossible)
+    assert {p.proposal.target for p in report.planned} == {"support-1", "support-2", "stud-2"}
+    assert unreachable(project, ComponentId("stud-2")) is None

@@ -9,7 +9,7 @@ from sitewright.central_controller.blame import pieces_to_blame, reason_for, rem
 from sitewright.central_controller.ports import RefusalNote
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
-from sitewright.planning_twin.feedback import Lessons, refused_call, removals_of_refused
+from sitewright.planning_twin.feedback import refused_call, removals_of_refused
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, Refusal
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal
@@ -85,18 +85,17 @@ def no_plan_left(
     problem: Problem,
     no: NoPlan,
     blame: MinimalReason,
-    lessons: Lessons,
     study: Study,
     notes: Iterable[RefusalNote],
+    *,
+    is_proven: bool,
 ) -> TargetRefusal:
     """Return the refusal of a target that the symbols allow no plan for any more.
 
-    A proof over facts is one over the site only if every fact taken away was proven. Nor is it
-    one if a piece might be passed on by way of buffers.
+    It is no proof if a piece might be passed on by way of buffers.
     """
     start_matters = tuple(p for p in pieces_to_blame(blame) if study.depends_on_start(p))
     passable = tuple(p for p in start_matters if p in study.passable)
-    is_proven = no.is_proven and all(n.is_proven for n in lessons.nogoods)
     return TargetRefusal(
         problem=problem,
         reason=reason_for(problem.target, no.reason, blame),

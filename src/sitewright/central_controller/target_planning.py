@@ -162,7 +162,21 @@ class _Loop:
 
         with self.watch.timed("symbolic"):
             blame = to_blame(self.lessons.nogoods, is_solvable)
-        return no_plan_left(self.problem, no, blame, self.lessons, self.study, self._all_notes())
+            is_proven = self._is_proven(no)
+        notes = self._all_notes()
+        return no_plan_left(self.problem, no, blame, self.study, notes, is_proven=is_proven)
+
+    def _is_proven(self, no: NoPlan) -> bool:
+        """Tell whether the proven refusals alone leave no plan, proven by the planner of symbols.
+
+        A proof over facts is one over the site only if every fact taken away was proven.
+        """
+        proven = [n for n in self.lessons.nogoods if n.is_proven]
+        if len(proven) == len(self.lessons.nogoods):
+            return no.is_proven
+        problem = self._problem_with(with_nogoods(self.lessons.base, proven))
+        found = self.ports.symbolic.plan(problem) if proven else None
+        return isinstance(found, NoPlan) and found.is_proven
 
     def _go_on(
         self, refused: SequenceRefusal, calls: tuple[SkillCall, ...]
