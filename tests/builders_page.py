@@ -15,13 +15,14 @@ from pathlib import Path
 from typing import Any, Self
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 from playwright.sync_api import TimeoutError as TooLate
 
 from sitewright.app.project import new_project
 
 CHROMIUM = shutil.which("chromium")
 WAIT_MS = int(os.environ.get("SITEWRIGHT_PAGE_WAIT_MS", "60000"))
+expect.set_options(timeout=WAIT_MS)
 READY = "() => Boolean(window.__m?.marks.first && window.__m.marks.ui)"
 SIZES = {390: 844, 820: 1180, 1280: 800}
 _MAIN = "from sitewright.cli.main import main; main()"
@@ -123,6 +124,15 @@ class Seen:
         """Ask the server as this page would."""
         answer: dict[str, Any] = self.page.request.get(self.served.origin + path).json()
         return answer
+
+    def report(self, run: str) -> bytes:
+        """Return the report of a run; it is written soon after the run has ended."""
+        for _ in range(WAIT_MS // 50):
+            reply = self.page.request.get(f"{self.served.origin}/api/runs/{run}/report")
+            if reply.ok:
+                return reply.body()
+            self.page.wait_for_timeout(50)
+        raise AssertionError(reply.text())
 
     def post(self, path: str, body: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Send something as this page would."""

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Route
+from playwright.sync_api import Browser, Route, expect
 
 from builders_page import WAIT_MS, Seen, ServedProject, browser, look
 from sitewright.app.run_folder import run_folders
@@ -86,10 +86,9 @@ def _reject_the_only_piece(seen: Seen) -> None:
     page.select_option("dialog select", str(grasp))
     page.click("dialog button[type=submit]")
     page.wait_for_selector(".trouble", timeout=WAIT_MS)  # no other piece can be taken
-    told = page.inner_text(".trouble")
-    assert plan["target_name"] in told
-    assert "no piece that fits" in told
-    assert page.inner_text(".hold b") == "Go on"
+    expect(page.locator(".trouble")).to_contain_text(plan["target_name"])
+    expect(page.locator(".trouble")).to_contain_text("no piece that fits")
+    expect(page.locator(".hold b")).to_have_text("Go on")
     (rejected,) = events(seen.served, "approval_rejected")
     assert rejected["rejection"]["reason"] == "wrong-component"
     assert rejected["rejection"]["step"] == grasp
@@ -97,14 +96,12 @@ def _reject_the_only_piece(seen: Seen) -> None:
 
 def _open_the_report_from_the_disk(seen: Seen, file: Path) -> None:
     """Keep the report as a file and see that it needs nothing else."""
-    run = seen.json("/api/state")["run"]
-    reply = seen.page.request.get(f"{seen.served.origin}/api/runs/{run}/report")
-    file.write_bytes(reply.body())
+    file.write_bytes(seen.report(seen.json("/api/state")["run"]))
     page = seen.page.context.new_page()
     asked: list[str] = []
     page.on("request", lambda r: asked.append(r.url))
     page.goto(file.as_uri())
-    assert page.locator("svg").count() >= 1
+    expect(page.locator("svg").first).to_be_visible()
     assert asked == [file.as_uri()]
 
 
@@ -137,18 +134,18 @@ def test_a_plan_that_changed_after_it_was_read_is_refused_and_the_change_is_show
         "key": secrets.token_hex(16),
     }
     assert seen.post("/api/decisions", rejected)[0] == 200  # another person is quicker
-    second = seen.waiting(other_than=first["fingerprint"])
     on_the_way[0].continue_()
     page.unroute("**/api/decisions")
     page.wait_for_selector(".result.bad", timeout=WAIT_MS)
-    assert second["code"] in page.inner_text(".plan")
+    second = seen.waiting(other_than=first["fingerprint"])
+    expect(page.locator(".plan .code")).to_have_text(second["code"])
     assert events(served, "approval_given") == []
 
     page.focus(".hold")
     page.keyboard.press("Enter")
     seen.until(lambda s: s["phase"] == "held")
     page.wait_for_selector(".headline.held")
-    assert page.locator(".approve.main").count() == 0
+    expect(page.locator(".approve.main")).to_have_count(0)
     page.click(".resume")
     second = seen.waiting()
 
@@ -174,9 +171,9 @@ def test_a_lost_server_is_told_at_once_and_nothing_waits_to_be_sent(
     seen.armed()
     served.end(signal.SIGKILL)
     page.wait_for_selector(".banner.lost", timeout=WAIT_MS)
-    assert "Use the stop on the cell." in page.inner_text(".banner.lost")
-    assert page.locator(".headline").inner_text() == ""
-    assert page.get_attribute(".chip", "data-link") == "lost"
+    expect(page.locator(".banner.lost")).to_contain_text("Use the stop on the cell.")
+    expect(page.locator(".headline")).to_have_text("")
+    expect(page.locator(".chip")).to_have_attribute("data-link", "lost")
     main = page.locator(".approve.main")
     if main.count():
         main.click(force=True)
@@ -200,15 +197,13 @@ def test_a_viewer_looks_and_may_only_ask_for_a_hold(chromium: Browser, tmp_path:
         page.click(".sign-in button")
         page.wait_for_selector("[data-link=live]", timeout=WAIT_MS)
         seen.until(lambda s: s["phase"] in {"waiting", "idle"})
-        assert page.inner_text(".who") == "vera viewer"
+        expect(page.locator(".who")).to_have_text("vera viewer")
         status, told = seen.post("/api/decisions", {"verb": "resume", "key": "k" * 16})
         assert (status, told["error"]) == (403, "role")
         if seen.json("/api/state")["phase"] == "waiting":
             plan = seen.waiting()
-            page.wait_for_function(
-                "() => document.querySelector('.approve.main').innerText.includes('viewer')"
-            )
-            assert page.get_attribute(".approve.main", "aria-disabled") == "true"
+            expect(page.locator(".approve.main")).to_contain_text("viewer")
+            expect(page.locator(".approve.main")).to_have_attribute("aria-disabled", "true")
             page.click(".approve.main", force=True)
             body = {"verb": "approve", "fingerprint": plan["fingerprint"], "key": "k" * 16}
             body |= {"scope": {"kind": "plan"}, "next_step": 1, "shown": []}

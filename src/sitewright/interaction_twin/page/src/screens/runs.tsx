@@ -44,9 +44,11 @@ export function RunsPanel() {
                   {atTime(line.started_at_ms)} · {say("runs.installed", { installed: line.installed, targets: line.targets })}
                 </small>
               </button>
-              <a class="button" href={`/api/runs/${line.id}/report`} target="_blank" rel="noreferrer">
-                {say("runs.report")}
-              </a>
+              {line.ended !== "open" && (
+                <a class="button" href={`/api/runs/${line.id}/report`} target="_blank" rel="noreferrer">
+                  {say("runs.report")}
+                </a>
+              )}
             </li>
           ))}
         </ul>

@@ -1,5 +1,6 @@
 // Brings the page up: signs in, loads what is drawn, and follows what the server says.
 import { effect } from "@preact/signals";
+import { isFrozen } from "../marks";
 import { language } from "../words/words";
 import type { NoProposal, Proposal, RunState, Scene, Session } from "../wire";
 import { ServerLink } from "./link";
@@ -18,6 +19,7 @@ export async function startPage(): Promise<void> {
     void loadProposal();
   });
   followSchedule();
+  if (isFrozen) return; // what comes over the line would move the picture
   new ServerLink({ onState: follow, onSceneEpoch: (seen) => void (seen !== epoch && loadScene(seen)), onConnected: refresh }).start();
 }
 
