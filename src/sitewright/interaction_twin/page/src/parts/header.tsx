@@ -1,6 +1,6 @@
 // Who, where, and whether what is shown is true now.
 import { say, chooseLanguage, language, LANGUAGES, type Language } from "../words/words";
-import { age_s, link, run, scene, screen, session, type Screen } from "../state/store";
+import { age_s, link, proposal, run, scene, screen, session, type Screen } from "../state/store";
 
 const SCREENS: readonly Screen[] = ["cell", "building", "runs", "audit", "health"];
 
@@ -51,6 +51,7 @@ function Headline() {
         <>
           <b>{say(`phase.${state.phase}`)}</b>
           <span class="soft">{say("progress", { ...state.progress })}</span>
+          {state.phase === "waiting" && proposal.value !== null && <code class="code">{proposal.value.code}</code>}
         </>
       )}
     </p>
