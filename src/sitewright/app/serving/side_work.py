@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import signal
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
@@ -38,7 +39,9 @@ class SideWork:
             BackendError: The process died.
         """
         if self._pool is None:
-            self._pool = ProcessPoolExecutor(max_workers=1, mp_context=get_context("spawn"))
+            self._pool = ProcessPoolExecutor(
+                max_workers=1, mp_context=get_context("spawn"), initializer=_leave_it_to_the_server
+            )
         try:
             loop = asyncio.get_running_loop()
             return await loop.run_in_executor(self._pool, partial(work, *args, **kwargs))
@@ -51,6 +54,11 @@ class SideWork:
         if self._pool is not None:
             self._pool.shutdown(wait=True, cancel_futures=True)
             self._pool = None
+
+
+def _leave_it_to_the_server() -> None:
+    """A Ctrl-C goes to every process of the terminal; the server ends this one in order."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def all_runs(folder: Path, cell: Path | None) -> Document:

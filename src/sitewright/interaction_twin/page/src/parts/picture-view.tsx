@@ -67,15 +67,17 @@ export function PictureView() {
       </div>
       <Modes />
       <Views />
-      {mode.value === "preview" && <Transport />}
+      {isRehearsed() && <Transport />}
     </section>
   );
 }
 
+const isRehearsed = (): boolean => mode.value === "preview" && screen.value !== "building";
+
 const isOld = (): boolean => mode.value === "now" && link.value !== "live" && !isFrozen;
 
 function Notice() {
-  if (mode.value === "preview") return <p class="over">{say(replayed.value === null ? "picture.preview" : "picture.replay")}</p>;
+  if (isRehearsed()) return <p class="over">{say(replayed.value === null ? "picture.preview" : "picture.replay")}</p>;
   if (!isOld() || link.value === "lost" || link.value === "connecting") return null;
   return <p class="over old">◷ {say("picture.stale", { seconds: age_s.value.toFixed(1) })}</p>;
 }
