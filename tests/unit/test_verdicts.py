@@ -10,7 +10,7 @@ from sitewright.central_controller.ports import PUT_OFF, CounterProposal, Escala
 from sitewright.central_controller.site_fold import site_after
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId
-from sitewright.interaction_twin.labels import Labels
+from sitewright.interaction_twin.labels import Kind, Label, Labels
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.trouble_document import trouble_document
 
@@ -62,4 +62,32 @@ def test_what_a_person_is_asked_holds_what_was_tried_on_a_copy_and_works() -> No
     assert asked["verdict"] == "blocked by thin.1"
     assert asked["counter_proposals"] == [
         {"words": "take thin.1 away", "steps": 9, "duration_s": 11.5}
+    ]
+
+
+def test_what_a_person_is_asked_names_what_is_in_the_way_and_shows_no_id() -> None:
+    refused = TargetRefused(
+        target=TARGET,
+        reason="thin.1 is in the way of stud-1.",
+        is_proven=False,
+        exit_code=6,
+        blockers=("thin.1", "arm-7/link_3"),
+        counter_proposals=(CounterProposal(words="take thin.1 away", steps=9, duration_s=11.5),),
+    )
+    state = CycleState(site=site_after(SiteState(targets=(TARGET,)), refused))
+    labels = Labels(
+        label_by_id={
+            "stud-1": Label(Kind.COMPONENT, "Left stud"),
+            "thin.1": Label(Kind.COMPONENT, "Thin board"),
+            "arm-7": Label(Kind.ROBOT, "North arm"),
+        }
+    )
+    (asked,) = trouble_document(state, [Stamped(at_utc_ns=1, event=refused)], labels)
+    assert isinstance(asked, dict)
+    assert asked["name"] == "Left stud"
+    assert asked["reason"] == "Thin board is in the way of Left stud."
+    assert asked["verdict"] == "blocked by Thin board and North arm"
+    assert asked["blocker_names"] == ["Thin board", "North arm"]
+    assert asked["counter_proposals"] == [
+        {"words": "take Thin board away", "steps": 9, "duration_s": 11.5}
     ]

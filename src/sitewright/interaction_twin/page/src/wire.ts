@@ -207,12 +207,20 @@ export interface Option {
   price_s?: number | null;
 }
 
+/** A change that was planned through on a copy of the site. */
+export interface Tried {
+  words: string;
+  steps: number;
+  duration_s: number;
+}
+
 export interface Trouble {
   target: string;
   name: string;
   reason: string;
   pair: string[] | null;
   blockers: string[];
+  counter_proposals: Tried[];
   options: Option[];
   posture?: Record<string, number[]>;
 }

@@ -3,7 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import { decide } from "../state/decisions";
 import { ask } from "../state/server";
 import { blockers, isReachable, labelOf, may, mode, proposal, refusedPosture, run } from "../state/store";
-import type { Option, Question, Trouble } from "../wire";
+import type { Option, Question, Tried, Trouble } from "../wire";
 import { inNumbers, say, sayWord } from "../words/words";
 import { Dialog } from "./dialog";
 
@@ -57,6 +57,7 @@ function Stuck({ trouble }: { trouble: Trouble }) {
       </h2>
       <p>{trouble.reason}</p>
       {first !== undefined && second !== undefined && <p class="pair">{say("help.pair", { first: labelOf(first), second: labelOf(second) })}</p>}
+      {trouble.counter_proposals.length > 0 && <WhatWorks tried={trouble.counter_proposals} />}
       <div class="buttons">
         {blockers.value.length > 0 && (
           <button type="button" aria-pressed={refusedPosture.value !== null} onClick={() => show(trouble)}>
@@ -70,6 +71,20 @@ function Stuck({ trouble }: { trouble: Trouble }) {
       {trouble.options.length === 0 && <p class="soft">{say("help.none")}</p>}
       {isManual && <ManualDialog target={trouble.target} name={trouble.name} onClose={() => setManual(false)} />}
     </div>
+  );
+}
+
+/** What was planned through on a copy of the site, and so would do. */
+function WhatWorks({ tried }: { tried: Tried[] }) {
+  return (
+    <>
+      <p class="soft">{say("help.tried")}</p>
+      <ul class="tried">
+        {tried.map(({ words, steps, duration_s }) => (
+          <li key={words}>{say("help.tried-one", { words, steps, seconds: inNumbers(duration_s) })}</li>
+        ))}
+      </ul>
+    </>
   );
 }
 

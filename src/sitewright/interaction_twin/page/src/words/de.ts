@@ -220,6 +220,8 @@ export const de: Words = {
   "help.pair": "Im Weg: {first} und {second}",
   "help.options": "Was möglich ist",
   "help.show": "Zeigen",
+  "help.tried": "An einer Kopie erprobt, und es geht:",
+  "help.tried-one": "{words} ({steps} Schritte, {seconds} s)",
   "help.none": "Kein Ausweg ist bekannt. Ändern Sie Modell oder Zelle, dann weiter.",
   "help.manual": "Von Hand erledigt",
   "question.title": "Ist es geschehen?",

@@ -219,6 +219,8 @@ export const en = {
   "help.pair": "In the way: {first} and {second}",
   "help.options": "What can be done",
   "help.show": "Show it",
+  "help.tried": "Tried on a copy, and it works:",
+  "help.tried-one": "{words} ({steps} steps, {seconds} s)",
   "help.none": "No way out is known. Change the model or the cell, then go on.",
   "help.manual": "Done by hand",
   "question.title": "Did it happen?",

@@ -220,6 +220,8 @@ export const es: Words = {
   "help.pair": "Se estorban: {first} y {second}",
   "help.options": "Qué se puede hacer",
   "help.show": "Mostrarlo",
+  "help.tried": "Probado en una copia, y funciona:",
+  "help.tried-one": "{words} ({steps} pasos, {seconds} s)",
   "help.none": "No se conoce salida. Cambie el modelo o la celda y continúe.",
   "help.manual": "Hecho a mano",
   "question.title": "¿Ocurrió?",

@@ -220,6 +220,8 @@ export const zh: Words = {
   "help.pair": "相互妨碍：{first} 与 {second}",
   "help.options": "可以怎么做",
   "help.show": "显示",
+  "help.tried": "已在副本上试过，可行：",
+  "help.tried-one": "{words}（{steps} 步，{seconds} 秒）",
   "help.none": "没有已知的办法。请修改模型或工作单元，然后继续。",
   "help.manual": "已人工完成",
   "question.title": "发生了吗？",
