@@ -47,6 +47,7 @@ class RefusalNote:
             before there was a plan.
         blockers: The fewest things that are in the way, if things are.
         then: What was done instead; empty if nothing was left to do.
+        pair: Two bodies that come too near to each other, if that is the reason.
     """
 
     target: ComponentId
@@ -56,6 +57,7 @@ class RefusalNote:
     is_replanned: bool = False
     blockers: tuple[str, ...] = ()
     then: str = ""
+    pair: tuple[str, ...] = ()
 
     @property
     def verdict(self) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from sitewright.central_controller.cycle_state import CycleState
-from sitewright.central_controller.events import DeviationSeen, TargetRefused
+from sitewright.central_controller.events import DeviationSeen, RefusalMet, TargetRefused
 from sitewright.central_controller.ports import verdict_of
 from sitewright.central_controller.steering import hand_facts
 from sitewright.foundation.canonical import Json
@@ -20,8 +20,16 @@ def trouble_document(state: CycleState, history: Sequence[Stamped], labels: Labe
     """Return one entry per target that is set aside, and one for what made the run stand."""
     refused = {s.event.target: s.event for s in history if isinstance(s.event, TargetRefused)}
     site = state.site
+    pairs = {
+        s.event.refusal.target: s.event.refusal.pair
+        for s in history
+        if isinstance(s.event, RefusalMet) and s.event.refusal.pair
+    }
     found: list[Json] = [
-        _refused(target, reason, refused.get(target), state, labels)
+        {
+            **_refused(target, reason, refused.get(target), state, labels),
+            "pair": list(pairs[target]) if target in pairs else None,
+        }
         for target, reason in site.refused.items()
     ]
     found += [
@@ -42,7 +50,7 @@ def _refused(
     event: TargetRefused | None,
     state: CycleState,
     labels: Labels,
-) -> Json:
+) -> dict[str, Json]:
     if event is None:
         return _entry(target, reason, "", (), state, labels)
     verdict = verdict_of([labels.body(b) for b in event.blockers], is_proven=event.is_proven)

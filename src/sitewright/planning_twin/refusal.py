@@ -113,3 +113,14 @@ class StaleCertificate:
 Refusal = (
     NoIk | BlockedBy | NoPath | NotClear | Disagreement | NoGrasp | PayloadExceeded | WorkerFailed
 )
+
+
+def pair_of(refusal: Refusal) -> tuple[str, ...]:
+    """Return two bodies that come too near to each other, if that is what a refusal is about."""
+    match refusal:
+        case BlockedBy(pairs=(first, *_)):
+            return first
+        case NotClear(pair=pair) | Disagreement(pair=pair):
+            return pair
+        case _:
+            return ()
