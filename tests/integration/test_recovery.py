@@ -10,9 +10,10 @@ from builders_planning import SUPPORT_1, A, case_study_start, with_cell, with_pi
 from sitewright.central_controller.ports import Escalation, Planned, SiteContext
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.rehearsal import rehearsed
-from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.ids import ComponentId, FixtureId, ZoneId
 from sitewright.foundation.pose import Pose, rotation, translation
-from sitewright.robot_team.cell import Cell, StationKind
+from sitewright.foundation.shapes import Box
+from sitewright.robot_team.cell import Cell, Fixture, StationKind, Zone
 from sitewright.robot_team.skill import Skill, SkillCall
 
 FALLEN = ComponentId("thick.3")
@@ -75,3 +76,24 @@ def test_without_a_buffer_the_piece_in_the_way_is_named_to_a_person(
     assert outcome.target == SUPPORT_1
     assert not outcome.is_proven
     assert "take thick.3 out of the way" in outcome.reason
+    assert ("thick.2", "thick.3") in {note.pair for note in outcome.refusals}
+
+
+@pytest.mark.parametrize("thing", ["crate", "no-go"])
+def test_a_fixture_or_zone_where_a_piece_belongs_is_named(
+    start: tuple[Proposals, SiteContext], thing: str
+) -> None:
+    proposals, clear = start
+    cell, here = proposals.design.cell, proposals.design.world_T_target(SUPPORT_1)
+    shape = (Box((0.2, 0.2, 0.2)),)
+    crate = Fixture(id=FixtureId("crate"), shape=shape, world_T_fixture=here)
+    no_go = Zone(id=ZoneId("no-go"), shape=shape, world_T_zone=here)
+    changed = {
+        "crate": replace(cell, fixture_by_id={**cell.fixture_by_id, crate.id: crate}),
+        "no-go": replace(cell, zone_by_id={**cell.zone_by_id, no_go.id: no_go}),
+    }
+    outcome = with_cell(proposals, changed[thing]).propose(clear)
+    assert isinstance(outcome, Escalation)
+    assert outcome.target == SUPPORT_1
+    assert outcome.verdict == f"blocked by {thing}"
+    assert f"take {thing} out of the way" in outcome.reason

@@ -82,8 +82,10 @@ class GraspTrial:
             if self.carrying.is_clear(q_rad, touch.near_m):
                 yield q_rad
 
-    def in_its_place(self) -> tuple[ComponentId, ...] | None:
-        """Return the pieces that lie where this one belongs; None if this grasp cannot get there.
+    def in_its_place(self) -> tuple[str, ...] | None:
+        """Return the pieces, fixtures and zones that are where this piece belongs.
+
+        None if this grasp cannot get there.
 
         It is the same for every posture and every other grasp.
         """
@@ -94,7 +96,9 @@ class GraspTrial:
             return None
         pairs = self.carrying.violations(postures[0], touch.near_m)
         names = {other for pair in pairs if self.piece in pair for other in pair} - {self.piece}
-        return tuple(p for p in sorted(self.context.site.world_T_piece) if p in names)
+        cell = self.context.cell
+        known = (self.context.site.world_T_piece, cell.fixture_by_id, cell.zone_by_id)
+        return tuple(i for things in known for i in sorted(things) if i in names)
 
     def can_leave(self, place: Approach) -> bool:
         """Tell whether the opened gripper gets away from the placed piece."""

@@ -107,7 +107,7 @@ def _taken(
     piece: ComponentId,
     candidates: list[Grasp],
 ) -> BlockedBy | None:
-    """Return which other pieces are where this one belongs, e.g. dropped there."""
+    """Return what is where this piece belongs: pieces dropped there, fixtures, zones."""
     trials = (grasp_trial(context, robot, tool, piece, g).in_its_place() for g in candidates)
     others = next((found for found in trials if found is not None), ())
     if not others:
