@@ -12,8 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random
 
-from shapely import Point, Polygon, box
-from shapely.affinity import rotate, translate
+import pytest
 
 from builders_building import nail, piece
 from builders_planning import EXAMPLES, B
@@ -25,6 +24,11 @@ from sitewright.foundation.ids import ComponentId, StackId, StockPlaceId
 from sitewright.foundation.pose import Pose, Vector, rotation, translation
 from sitewright.foundation.shapes import Box
 from sitewright.robot_team.cell import Cell, Fixture, StockPlace
+
+pytest.importorskip("shapely", reason="needs shapely, which the extra 'rhino' brings")
+
+from shapely import Point, Polygon, box
+from shapely.affinity import rotate, translate
 
 _UP: Vector = (0.0, 0.0, 1.0)
 _QUARTER_RAD = math.pi / 2.0

@@ -6,8 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from ifcopenshell import validate
-from ifcopenshell.util.element import get_psets
 
 from builders_ifc import ifcopenshell, wall_panel
 from sitewright.building_model.as_built import InstallRecord, fold
@@ -19,6 +17,9 @@ from sitewright.building_model.object_states import ObjectState, object_states
 from sitewright.errors import ModelRejectedError
 from sitewright.foundation.ids import ComponentId, OperationId
 from sitewright.foundation.pose import Pose, norm, rotation, translation
+
+validate = pytest.importorskip("ifcopenshell.validate", reason="needs the extra 'ifc'")
+get_psets = pytest.importorskip("ifcopenshell.util.element").get_psets
 
 NOW = "2030-05-01T18:00:00+00:00"
 SCHEMAS = ("IFC4", "IFC2X3", "IFC4X3")
