@@ -123,7 +123,11 @@ def test_labels_come_from_the_names_of_the_model() -> None:
     assert labels.label("thin.5").kind is Kind.PIECE
     assert labels.label("kr120-b").kind is Kind.ROBOT
     fallen = SkillCall("reach", A, (where_it_fell(ComponentId("thin.5")),))
-    assert narrate(fallen, labels) == "kr120-a goes to where thin.5 lies"
+    assert narrate(fallen, labels) == "Robot 1 goes to where thin 5 lies"
+    assert labels.name("assembly-table") == "assembly table"
+    assert labels.name("walkway") == "walkway", "without a name of its own"
+    taken = SkillCall("grasp", A, ("thin.5", "pallet-thin", "gripper-s"))
+    assert narrate(taken, labels) == "Robot 1 takes piece thin 5 from pallet 2 with gripper"
 
 
 def test_a_reason_of_the_controller_is_told_with_names() -> None:
@@ -131,7 +135,7 @@ def test_a_reason_of_the_controller_is_told_with_names() -> None:
     labels = labels_of(project.model, project.cell)
     told = labels.told("stud-1: kr120-b cannot drive stud-1.nail-2 into stud-1. 4 mm, stud-10")
     assert told == (
-        "Transverse stud 1: kr120-b cannot drive nail 2 of Transverse stud 1 into "
+        "Transverse stud 1: Robot 2 cannot drive nail 2 of Transverse stud 1 into "
         "Transverse stud 1. 4 mm, stud-10"
     )
     numbered = Labels({"4": Label(Kind.COMPONENT, "block")})

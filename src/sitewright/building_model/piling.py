@@ -18,8 +18,9 @@ _UPRIGHT = 0.7
 
 
 def generated_pieces(stack: StackId, like: Component, count: int) -> list[Component]:
-    """Return `count` equal pieces named ``<stack>.1`` (the lowest) and so on."""
-    return [replace(like, id=ComponentId(f"{stack}.{n}")) for n in range(1, count + 1)]
+    """Return `count` equal pieces ``<stack>.1`` (the lowest) and so on, read as ``<stack> 1``."""
+    numbers = range(1, count + 1)
+    return [replace(like, id=ComponentId(f"{stack}.{n}"), name=f"{stack} {n}") for n in numbers]
 
 
 def piled(

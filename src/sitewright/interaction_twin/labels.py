@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
 from sitewright.building_model.component import Component, Operation, Process
 from sitewright.building_model.model import BuildingModel
 from sitewright.central_controller.statuses import where_it_fell
-from sitewright.robot_team.cell import Cell
+from sitewright.robot_team.cell import Cell, StationKind
 
 _WORD = re.compile(r"[\w$.-]+")
 """What ids are made of."""
@@ -30,6 +30,8 @@ class Kind(StrEnum):
     END_EFFECTOR = "end-effector"
     BARE_FLANGE = "bare-flange"
     ROBOT = "robot"
+    FIXTURE = "fixture"
+    ZONE = "zone"
     UNKNOWN = "unknown"
 
 
@@ -90,17 +92,7 @@ class Labels:
 
 def labels_of(model: BuildingModel, cell: Cell) -> Labels:
     """Return the labels of everything that a plan can mention."""
-    found: dict[str, Label] = {}
-    for robot in cell.robot_by_id:
-        found[robot] = Label(Kind.ROBOT, robot)
-    for end_effector in cell.end_effector_by_id:
-        found[end_effector] = Label(Kind.END_EFFECTOR, end_effector)
-    for station in cell.station_by_id.values():
-        is_preparation = station.kind.value == "preparation"
-        kind = Kind.PREPARATION if is_preparation else Kind.STATION
-        found[station.id] = Label(kind, station.id)
-    for place in cell.stock_place_by_id:
-        found[place] = Label(Kind.STOCK_PLACE, place)
+    found = _labels_of_cell(cell)
     stocked = {item for stack in model.stacks for item in stack.items}
     for component in model.component_by_id.values():
         kind = Kind.PIECE if component.id in stocked else Kind.COMPONENT
@@ -110,6 +102,20 @@ def labels_of(model: BuildingModel, cell: Cell) -> Labels:
             found[where_it_fell(component.id)] = Label(Kind.UNKNOWN, f"where {name} lies")
         found |= _operation_labels(component)
     return Labels(found)
+
+
+def _labels_of_cell(cell: Cell) -> dict[str, Label]:
+    stations = cell.station_by_id.values()
+    kinds: dict[Kind, Iterable[str]] = {
+        Kind.FIXTURE: cell.fixture_by_id,
+        Kind.ZONE: cell.zone_by_id,
+        Kind.ROBOT: cell.robot_by_id,
+        Kind.END_EFFECTOR: cell.end_effector_by_id,
+        Kind.STATION: [s.id for s in stations if s.kind is not StationKind.PREPARATION],
+        Kind.PREPARATION: [s.id for s in stations if s.kind is StationKind.PREPARATION],
+        Kind.STOCK_PLACE: cell.stock_place_by_id,
+    }
+    return {i: Label(kind, cell.name_by_id.get(i, i)) for kind, ids in kinds.items() for i in ids}
 
 
 def _operation_labels(component: Component) -> dict[str, Label]:

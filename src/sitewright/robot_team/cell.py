@@ -170,6 +170,8 @@ class Cell:
             there.
         clearance_m: Distance that every certified motion keeps.
         simulation: Settings of the simulated cell (``seed`` and noise; off unless asked for).
+        name_by_id: What people read in place of the id of a robot, end effector, station, stock
+            place, fixture or zone; only of those that have a name.
     """
 
     robot_by_id: Mapping[RobotId, Robot]
@@ -181,3 +183,4 @@ class Cell:
     world_T_model: Pose = field(default_factory=Pose)
     clearance_m: float = 0.010
     simulation: Mapping[str, float] = field(default_factory=dict)
+    name_by_id: Mapping[str, str] = field(default_factory=dict)

@@ -123,7 +123,7 @@ def _as_built(summary: RunSummary, labels: Labels) -> str:
             labels.name(b.target),
             b.status,
             labels.name(b.piece) if b.piece else "",
-            b.robot or "",
+            labels.name(b.robot) if b.robot else "",
             f"{b.operations_done}/{b.operations_total}",
             tenths_of_millimetres(b.position_error_m),
             milliradians(b.angle_error_rad),

@@ -26,6 +26,13 @@ class FileModel(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False, strict=True)
 
 
+class NamedFile(FileModel):
+    """Anything of the cell that has an id; people read its `name` where it has one."""
+
+    id: Id
+    name: Annotated[str, Field(max_length=60)] = ""
+
+
 class PoseFile(FileModel):
     """A rigid transform: turn, then shift."""
 
@@ -93,18 +100,16 @@ class SiteFile(FileModel):
     clearance_m: Annotated[float, Field(gt=0, le=0.2)] = 0.010
 
 
-class FixtureFile(FileModel):
+class FixtureFile(NamedFile):
     """A table, pedestal or wall."""
 
-    id: Id
     geometry: GeometryFile
     world_T_fixture: PoseFile = PoseFile()
 
 
-class ZoneFile(FileModel):
+class ZoneFile(NamedFile):
     """A volume that robots and pieces stay out of."""
 
-    id: Id
     geometry: GeometryFile
     world_T_zone: PoseFile = PoseFile()
 
@@ -127,13 +132,12 @@ class RailFile(FileModel):
         return self
 
 
-class RobotFile(FileModel):
+class RobotFile(NamedFile):
     """One arm: a built-in `model` or an own `urdf`; joint values in degrees or in radians.
 
     Sliding joints, rails among them, have their values in metres in both kinds of list.
     """
 
-    id: Id
     model: str | None = None
     urdf: str | None = None
     payload_kg: Positive | None = None
@@ -180,10 +184,9 @@ class FastenerFile(FileModel):
         return self
 
 
-class EndEffectorFile(FileModel):
+class EndEffectorFile(NamedFile):
     """A gripper or a tool: `urdf` is a path or ``builtin:<name>``."""
 
-    id: Id
     kind: EndEffectorKind
     urdf: str
     station: Id | None = None
@@ -207,10 +210,9 @@ class EndEffectorFile(FileModel):
         return self
 
 
-class StationFile(FileModel):
+class StationFile(NamedFile):
     """A named place; a preparation station without a pose stands at its robot's home."""
 
-    id: Id
     kind: StationKind
     robot: Id | None = None
     world_T_station: PoseFile | None = None
@@ -225,10 +227,9 @@ class StationFile(FileModel):
         return self
 
 
-class StockPlaceFile(FileModel):
+class StockPlaceFile(NamedFile):
     """Where a stack of the building model stands: its surface, z up."""
 
-    id: Id
     world_T_stock: PoseFile
 
 

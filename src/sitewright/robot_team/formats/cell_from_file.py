@@ -112,6 +112,7 @@ class CellBuilder:
             world_T_model=_pose(self._file.site.world_T_model),
             clearance_m=self._file.site.clearance_m,
             simulation=dict(sorted(self._file.simulation.items())),
+            name_by_id=_names(self._file),
         )
 
     def _robot(self, file: RobotFile) -> Robot | None:
@@ -232,6 +233,13 @@ def _rail(file: RailFile) -> Rail:
         carriage=() if file.carriage is None else _shape(file.carriage),
         mass_kg=file.mass_kg,
     )
+
+
+def _names(file: CellFile) -> dict[str, str]:
+    named = (
+        file.robot + file.end_effector + file.station + file.stock_place + file.fixture + file.zone
+    )
+    return {n.id: n.name for n in named if n.name}
 
 
 def _station(file: StationFile, robots: dict[RobotId, Robot]) -> Station | None:

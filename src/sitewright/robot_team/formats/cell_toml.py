@@ -68,12 +68,9 @@ def _validated(path: Path, document: dict[str, Json]) -> CellFile:
         raise CellRejectedError(path.name, problems_from(found, document, _keys())) from error
 
 
-def _keys() -> set[str]:
-    return {
-        field.alias or name
-        for model in FileModel.__subclasses__()
-        for name, field in model.model_fields.items()
-    }
+def _keys(model: type[FileModel] = FileModel) -> set[str]:
+    own = {field.alias or name for name, field in model.model_fields.items()}
+    return own.union(*(_keys(below) for below in model.__subclasses__()))
 
 
 def _rejected(path: Path, code: str, message: str, fix: str) -> CellRejectedError:
