@@ -21,6 +21,8 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from statistics import median, quantiles
 from typing import Any
@@ -34,6 +36,7 @@ from sitewright.app.project import new_project
 PROGRAM = Path(sys.executable).with_name("sitewright")
 MOST_STEPS = 40
 HOLDS = 10
+AT_REST_S = 0.06
 
 
 @contextlib.contextmanager
@@ -111,9 +114,22 @@ def holds(project: Path, count: int) -> list[float]:
     return found
 
 
-async def listen(origin: str, ticket: str, seconds: float) -> tuple[int, int]:
-    """Count the frames of joints and their bytes that a page gets."""
-    frames = size = 0
+@dataclass
+class Heard:
+    """What one page got: the moments of its frames of joints, and the bytes of all frames."""
+
+    at_s: list[float] = field(default_factory=list)
+    size: int = 0
+
+    def moving_per_s(self) -> float:
+        """Return the frames a second while joints move: at rest four a second are enough."""
+        gaps_s = [b - a for a, b in pairwise(self.at_s) if b - a < AT_REST_S]
+        return len(gaps_s) / sum(gaps_s)
+
+
+async def listen(origin: str, ticket: str, seconds: float) -> Heard:
+    """Listen as a page does."""
+    heard = Heard()
     url = f"{origin.replace('http', 'ws', 1)}/ws"
     async with connect(url, additional_headers={"origin": origin}) as link:
         await link.send(json.dumps({"ticket": ticket, "after": None}))
@@ -122,12 +138,12 @@ async def listen(origin: str, ticket: str, seconds: float) -> tuple[int, int]:
             with contextlib.suppress(TimeoutError):
                 message = await asyncio.wait_for(link.recv(), left)
                 if isinstance(message, bytes):
-                    frames += message[0] == 1
-                    size += len(message)
-    return frames, size
+                    heard.at_s += [time.monotonic()] if message[0] == 1 else []
+                    heard.size += len(message)
+    return heard
 
 
-async def crowd(origin: str, tickets: list[str], seconds: float) -> list[tuple[int, int]]:
+async def crowd(origin: str, tickets: list[str], seconds: float) -> list[Heard]:
     """Let many pages listen at once."""
     return list(await asyncio.gather(*(listen(origin, t, seconds) for t in tickets)))
 
@@ -144,11 +160,11 @@ def frames(project: Path, clients: int, seconds: float) -> dict[str, float]:
         got = asyncio.run(crowd(str(page.base_url).rstrip("/"), tickets, seconds))
         after, took = server.cpu_times(), time.perf_counter() - started
     used = after.user + after.system - before.user - before.system
-    counts = [f for f, _ in got]
     return {
-        "frames_per_s": sum(counts) / len(counts) / seconds,
-        "least_frames_per_s": min(counts) / seconds,
-        "kB_per_s_and_page": sum(b for _, b in got) / len(got) / seconds / 1000.0,
+        "frames_per_s": sum(len(h.at_s) for h in got) / len(got) / seconds,
+        "moving_frames_per_s": sum(h.moving_per_s() for h in got) / len(got),
+        "least_moving_frames_per_s": min(h.moving_per_s() for h in got),
+        "kB_per_s_and_page": sum(h.size for h in got) / len(got) / seconds / 1000.0,
         "share_of_a_core": used / took,
     }
 

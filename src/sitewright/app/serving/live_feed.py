@@ -72,18 +72,21 @@ class LiveFeed:
 
     async def run(self) -> None:
         """Look and send until cancelled."""
+        due_s = self._now_s()
         while True:
             if self._audience.size == 0 or not self._joints:
                 await asyncio.sleep(PERIOD_S)
                 continue
-            started_ns = self._clock.monotonic_ns()
             try:
                 await self._look()
-                took_s = (self._clock.monotonic_ns() - started_ns) / _S
-                await asyncio.sleep(max(0.0, PERIOD_S - took_s))
             except BackendError:
                 self._lose()
                 await asyncio.sleep(_LOOK_AGAIN_S)
+            due_s = next_look_s(due_s, self._now_s())
+            await asyncio.sleep(due_s - self._now_s())
+
+    def _now_s(self) -> float:
+        return self._clock.monotonic_ns() / _S
 
     async def hold(self) -> bool:
         """Tell the cell to stop, over a connection of its own; False if none answers."""
@@ -142,6 +145,17 @@ class LiveFeed:
             self._cell.close()
         self._cell = None
         self._on_change()
+
+
+def next_look_s(due_s: float, now_s: float) -> float:
+    """Return when to look next: on the beat of the looks before; one that is missed is left out.
+
+    Args:
+        due_s: When the last look was due.
+        now_s: When it was done, on the same clock.
+    """
+    following_s = due_s + PERIOD_S
+    return following_s if following_s > now_s else now_s + PERIOD_S
 
 
 def _differs(a: Pose, b: Pose) -> bool:

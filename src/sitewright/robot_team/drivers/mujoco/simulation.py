@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from threading import Event
@@ -18,6 +17,7 @@ from sitewright.robot_team.drivers.mujoco.arms import ArmControl
 from sitewright.robot_team.drivers.mujoco.blind_pairs import blind_pairs
 from sitewright.robot_team.drivers.mujoco.contacts import ContactWatch
 from sitewright.robot_team.drivers.mujoco.fixings import Fixings
+from sitewright.robot_team.drivers.mujoco.pace import Pace
 from sitewright.robot_team.drivers.mujoco.physics import Motion, Physics
 from sitewright.robot_team.drivers.mujoco.scene import (
     Contents,
@@ -65,7 +65,7 @@ class Simulation:
         self.lost: set[RobotId] = set()
         self.on_step: Callable[[Simulation], None] | None = None
         self._record = record
-        self._real_time_factor = real_time_factor
+        self._pace = Pace(real_time_factor)
         self._blind: dict[tuple[RobotId, EndEffectorId | None], frozenset[tuple[str, str]]] = {}
         self.arms = ArmControl(contents.cell)
         self.physics = Physics(self._model(), checkpoint.motion)
@@ -129,8 +129,7 @@ class Simulation:
         mujoco.mj_step2(m, d)
         if self.on_step is not None:
             self.on_step(self)
-        if self._real_time_factor > 0.0:
-            time.sleep(self.step_s / self._real_time_factor)
+        self._pace.keep(self.time_s)
 
     def advance(self, seconds: float) -> None:
         """Let time pass while the arms hold still."""
