@@ -1,8 +1,8 @@
 from __future__ import annotations
 
 from motion_scenes import A, B, two_arms
-from sitewright.planning_twin.blockers import blocked_by, owner_of, removals, things_in_the_way
-from sitewright.planning_twin.scene import pair_of
+from sitewright.planning_twin.blockers import blocked_by, removals, things_in_the_way
+from sitewright.planning_twin.scene import owner_of, pair_of
 
 SCENE = two_arms()
 ELBOW = f"{A}/link_3"
@@ -32,7 +32,11 @@ def test_a_blocked_pose_tells_the_pairs_of_the_posture_that_is_freed_most_easily
     one_thing_twice = (pair_of(ELBOW, "stud-1"), pair_of("gripper", "stud-1"))
     two_things = (pair_of(ELBOW, "stud-2"), pair_of(ELBOW, "table"))
     itself = (pair_of(ELBOW, "gripper"),)
-    found = blocked_by(SCENE, A, [two_things, itself, one_thing_twice], reason="no room")
+    postures = [((0.1,), two_things), ((0.2,), itself), ((0.3,), one_thing_twice)]
+    found = blocked_by(SCENE, A, postures, reason="no room")
     assert found.pairs == one_thing_twice
     assert found.removals == (("stud-1",), ("stud-2", "table"))
     assert found.reason == "no room"
+    assert found.moment is not None
+    assert found.moment.q_rad == {A: (0.3,)}
+    assert set(found.moment.bodies) == {"gripper", "gripper/left", "gripper/right", "stud-1"}

@@ -12,6 +12,7 @@ from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId, RunId, ZoneId
 from sitewright.foundation.pose import Pose, Vector
+from sitewright.planning_twin.moment import Moment
 from sitewright.planning_twin.motion import Certificate
 from sitewright.planning_twin.refusal import StaleCertificate
 from sitewright.planning_twin.scene import SceneSnapshot
@@ -48,6 +49,7 @@ class RefusalNote:
         blockers: The fewest things that are in the way, if things are.
         then: What was done instead; empty if nothing was left to do.
         pair: Two bodies that come too near to each other, if that is the reason.
+        moment: Where the pair was seen, if it is known.
     """
 
     target: ComponentId
@@ -58,6 +60,7 @@ class RefusalNote:
     blockers: tuple[str, ...] = ()
     then: str = ""
     pair: tuple[str, ...] = ()
+    moment: Moment | None = field(default=None, compare=False)
 
     @property
     def verdict(self) -> str:

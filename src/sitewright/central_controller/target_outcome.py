@@ -11,7 +11,7 @@ from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.feedback import refused_call, removals_of_refused
 from sitewright.planning_twin.jobsite import Jobsite
-from sitewright.planning_twin.refusal import BlockedBy, Refusal, pair_of
+from sitewright.planning_twin.refusal import BlockedBy, Refusal, pair_of, seen_at
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal
 from sitewright.planning_twin.study import Study
 from sitewright.planning_twin.tacking import Holding
@@ -148,6 +148,7 @@ def note_of_motion(
         blockers=_blockers_of_call(refused),
         then=then,
         pair=pair_of(refusal),
+        moment=seen_at(refusal),
     )
 
 
@@ -170,6 +171,7 @@ def notes_of_study(
             blockers=next(iter(r.nogood.removals), ()),
             then=_done_instead(r.nogood.fact, calls),
             pair=pair_of(r.refusal),
+            moment=seen_at(r.refusal),
         )
         for r in study.refusals
     )
@@ -209,6 +211,7 @@ def notes_of_choices(
             blockers=_blockers(skill.chosen.refusal),
             then=f"it leans ({skill.chosen.label})",
             pair=pair_of(skill.chosen.refusal),
+            moment=seen_at(skill.chosen.refusal),
         )
         for call, skill in zip(motions.calls, motions.skills, strict=True)
         if skill.chosen is not None

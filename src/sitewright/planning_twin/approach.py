@@ -173,7 +173,7 @@ class Approaches:
         shape = wanted_rad and without_turns(self.reaching.description, wanted_rad)
         blocked = self._blocked.get(shape) if shape else None
         if blocked is not None and (pairs := blocked.pairs(self.reaching)):
-            return blocked_by(self.reaching.scene, self.reaching.robot, [pairs])
+            return blocked_by(self.reaching.scene, self.reaching.robot, [(blocked.q_rad, pairs)])
         return NoIk(is_proven=False, reason="no posture serves what follows")
 
     def why_not(self) -> NoIk | BlockedBy:
@@ -183,23 +183,27 @@ class Approaches:
         once any of the `removals` is gone.
         """
         both = [self._pairs_at_both_ends(contact) for contact in self._blocked_contacts]
-        if found := [pairs for pairs in both if pairs]:
+        if found := [(q_rad, pairs) for q_rad, pairs in both if pairs]:
             return blocked_by(self.reaching.scene, self.reaching.robot, found)
-        named = [b.pairs(self.reaching) for b in self._blocked.values()]
-        if found := [pairs for pairs in named if pairs]:
+        named = [(b.q_rad, b.pairs(self.reaching)) for b in self._blocked.values()]
+        if found := [(q_rad, pairs) for q_rad, pairs in named if pairs]:
             return blocked_by(self.reaching.scene, self.reaching.robot, found)
         return self._lost or NoIk(
             is_proven=False, reason="no branch of the inverse kinematics holds"
         )
 
-    def _pairs_at_both_ends(self, contact_rad: Joints) -> tuple[Pair, ...]:
-        """Return what is too near in contact or before it; nothing if no line joins the two."""
+    def _pairs_at_both_ends(self, contact_rad: Joints) -> tuple[Joints, tuple[Pair, ...]]:
+        """Return what is too near in contact or before it, and the end where the first pair is.
+
+        Nothing if no line joins the two.
+        """
         approach = straight_approach(self.reaching, self.touch, contact_rad)
         if isinstance(approach, NoIk):
-            return ()
+            return contact_rad, ()
         at_contact = self.reaching.violations(contact_rad, self.touch.near_m)
         before = self.reaching.violations(approach.pre_rad, self.touch.free_m, is_padded=True)
-        return tuple(dict.fromkeys((*at_contact, *before)))
+        q_rad = contact_rad if at_contact else approach.pre_rad
+        return q_rad, tuple(dict.fromkeys((*at_contact, *before)))
 
     def _approach(self, contact_rad: Joints) -> Approach | None:
         shape = without_turns(self.reaching.description, contact_rad)

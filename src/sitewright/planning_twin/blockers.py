@@ -4,27 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sitewright.foundation.ids import BodyId, RobotId
+from sitewright.foundation.ids import RobotId
+from sitewright.planning_twin.moment import moment_of
 from sitewright.planning_twin.refusal import BlockedBy
-from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot
+from sitewright.planning_twin.scene import Pair, SceneSnapshot, owner_of
+from sitewright.robot_team.description import Joints
 
 _MOST_REMOVALS = 6
 
 
 def blocked_by(
-    scene: SceneSnapshot, robot: RobotId, blocked: Iterable[tuple[Pair, ...]], reason: str = ""
+    scene: SceneSnapshot,
+    robot: RobotId,
+    blocked: Iterable[tuple[Joints, tuple[Pair, ...]]],
+    reason: str = "",
 ) -> BlockedBy:
     """Return the refusal of a pose that none of its postures is clear for.
 
     Args:
         scene: Where the postures were looked at.
         robot: Who should have taken them.
-        blocked: For each posture the pairs that are too near.
+        blocked: Each posture with the pairs that are too near in it.
         reason: As `BlockedBy` has it.
     """
     postures = list(blocked)
-    easiest = min(postures, key=lambda pairs: (_weight(scene, robot, pairs), len(pairs)))
-    return BlockedBy(pairs=easiest, removals=removals(scene, robot, postures), reason=reason)
+    q_rad, easiest = min(postures, key=lambda p: (_weight(scene, robot, p[1]), len(p[1])))
+    return BlockedBy(
+        pairs=easiest,
+        removals=removals(scene, robot, [pairs for _, pairs in postures]),
+        reason=reason,
+        moment=moment_of(scene, {robot: q_rad}, easiest[0]),
+    )
 
 
 def removals(
@@ -54,15 +64,6 @@ def things_in_the_way(
             return None
         found |= others
     return frozenset(found)
-
-
-def owner_of(scene: SceneSnapshot, name: str) -> RobotId | None:
-    """Return the robot that a link belongs to or that carries a body."""
-    body = scene.bodies.get(BodyId(name))
-    if body is not None:
-        return body.placement.robot if isinstance(body.placement, Attachment) else None
-    robot = RobotId(name.split("/", maxsplit=1)[0])
-    return robot if robot in scene.robots else None
 
 
 def _weight(scene: SceneSnapshot, robot: RobotId, pairs: tuple[Pair, ...]) -> float:

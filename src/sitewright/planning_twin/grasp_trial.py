@@ -16,7 +16,7 @@ from sitewright.planning_twin.approach import (
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import Jobsite, scene_of, with_aperture
 from sitewright.planning_twin.motion import JointPath, PathSegment
-from sitewright.planning_twin.refusal import NoIk
+from sitewright.planning_twin.refusal import BlockedBy, NoIk
 from sitewright.planning_twin.scene import Attachment, SceneSnapshot
 from sitewright.planning_twin.task import UP, TwinContext
 from sitewright.planning_twin.touches import (
@@ -82,8 +82,8 @@ class GraspTrial:
             if self.carrying.is_clear(q_rad, touch.near_m):
                 yield q_rad
 
-    def in_its_place(self) -> tuple[str, ...] | None:
-        """Return the pieces, fixtures and zones that are where this piece belongs.
+    def in_its_place(self) -> tuple[tuple[str, ...], Joints] | None:
+        """Return the pieces, fixtures and zones that are where this piece belongs, and a posture.
 
         None if this grasp cannot get there.
 
@@ -98,7 +98,26 @@ class GraspTrial:
         names = {other for pair in pairs if self.piece in pair for other in pair} - {self.piece}
         cell = self.context.cell
         known = (self.context.site.world_T_piece, cell.fixture_by_id, cell.zone_by_id)
-        return tuple(i for things in known for i in sorted(things) if i in names)
+        return tuple(i for things in known for i in sorted(things) if i in names), postures[0]
+
+    def why_not(self) -> BlockedBy | None:
+        """Return what is in the way where the piece lies, else where it belongs, if things are."""
+        task, site = self.context.task, self.context.site
+        touches = [
+            (self.carrying, place_touch(task, self.tool, self.piece, self.grasp, insertion))
+            for insertion in task.insertions
+        ]
+        if site.arms[self.robot.id].held != self.piece:
+            at = site.world_T_piece[self.piece]
+            touches.insert(
+                0, (self.opened, pick_touch(task, self.tool, self.piece, at, self.grasp))
+            )
+        for reaching, touch in touches:
+            search = Approaches(reaching, touch, self.robot.home_q_rad)
+            if next(iter(search), None) is None:
+                why = search.why_not()
+                return why if isinstance(why, BlockedBy) else None
+        return None
 
     def can_leave(self, place: Approach) -> bool:
         """Tell whether the opened gripper gets away from the placed piece."""

@@ -10,6 +10,7 @@ from sitewright.foundation.ids import ComponentId, OperationId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.grasp_trial import GraspTrial, grasp_trial
 from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
+from sitewright.planning_twin.moment import moment_of
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk, PayloadExceeded, Refusal
 from sitewright.planning_twin.tacking import (
     Holding,
@@ -21,11 +22,14 @@ from sitewright.planning_twin.tacking import (
 )
 from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
+from sitewright.robot_team.description import Joints
 
 _TACKS = "fasten while held"
 _PICK = "pick and lift"
 _PLACE = "place"
 _FAR_PIECE = "reach the piece"
+_LOOKED_AT = 8
+"""So many grasps are looked at to tell what is in the way, once none has served."""
 
 
 def find_holding(
@@ -77,6 +81,7 @@ def find_holding(
         candidates=len(candidates),
         dropped_by=tuple(sorted(dropped.items())),
         reason=_reason(context.task, tacking, dropped, tried),
+        nearest=None if tried else _in_the_way(context, robot, tool, piece, candidates),
     )
 
 
@@ -108,16 +113,37 @@ def _taken(
     candidates: list[Grasp],
 ) -> BlockedBy | None:
     """Return what is where this piece belongs: pieces dropped there, fixtures, zones."""
-    trials = (grasp_trial(context, robot, tool, piece, g).in_its_place() for g in candidates)
-    others = next((found for found in trials if found is not None), ())
+    for grasp in candidates:
+        trial = grasp_trial(context, robot, tool, piece, grasp)
+        found = trial.in_its_place()
+        if found is not None:
+            return _in_its_place(trial, *found)
+    return None
+
+
+def _in_its_place(trial: GraspTrial, others: tuple[str, ...], q_rad: Joints) -> BlockedBy | None:
     if not others:
         return None
     are = "is" if len(others) == 1 else "are"
+    pairs = tuple((str(trial.piece), other) for other in others)
     return BlockedBy(
-        pairs=tuple((piece, other) for other in others),
-        removals=(tuple(others),),
+        pairs=pairs,
+        removals=(others,),
         reason=f"{' and '.join(others)} {are} in its place",
+        moment=moment_of(trial.carrying.scene, {trial.robot.id: q_rad}, pairs[0]),
     )
+
+
+def _in_the_way(
+    context: TwinContext,
+    robot: Robot,
+    tool: EndEffector,
+    piece: ComponentId,
+    candidates: list[Grasp],
+) -> BlockedBy | None:
+    """Return what keeps the cheapest of the first grasps that something is in the way of."""
+    trials = (grasp_trial(context, robot, tool, piece, g) for g in candidates[:_LOOKED_AT])
+    return next((why for t in trials if (why := t.why_not()) is not None), None)
 
 
 def _too_far(

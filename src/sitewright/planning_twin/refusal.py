@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from sitewright.planning_twin.moment import Moment
 from sitewright.planning_twin.scene import Pair
 from sitewright.robot_team.description import Joints
 
@@ -31,11 +32,13 @@ class BlockedBy:
     Attributes:
         pairs: Those of the joint position that the fewest things are in the way of.
         removals: Smallest sets of bodies and robots whose removal frees a joint position.
+        moment: Where the first of the pairs was seen.
     """
 
     pairs: tuple[Pair, ...]
     removals: tuple[tuple[str, ...], ...] = ()
     reason: str = ""
+    moment: Moment | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,6 +60,7 @@ class NotClear:
     distance_m: float
     threshold_m: float
     segment: int
+    moment: Moment | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,6 +71,7 @@ class Disagreement:
     q_rad: Joints
     distance_m: float
     threshold_m: float
+    moment: Moment | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -76,6 +81,7 @@ class NoGrasp:
     Attributes:
         dropped_by: How many candidates each of the lists dropped.
         removals: Smallest sets of bodies and robots without which a grasp might serve.
+        nearest: What kept the cheapest grasp that something is in the way of, if one was looked at.
     """
 
     is_proven: bool
@@ -83,6 +89,7 @@ class NoGrasp:
     dropped_by: tuple[tuple[str, int], ...] = ()
     removals: tuple[tuple[str, ...], ...] = ()
     reason: str = ""
+    nearest: BlockedBy | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -122,5 +129,18 @@ def pair_of(refusal: Refusal) -> tuple[str, ...]:
             return first
         case NotClear(pair=pair) | Disagreement(pair=pair):
             return pair
+        case NoGrasp(nearest=BlockedBy() as nearest):
+            return pair_of(nearest)
         case _:
             return ()
+
+
+def seen_at(refusal: Refusal) -> Moment | None:
+    """Return the moment in which the pair of `pair_of` is too near, if it is known."""
+    match refusal:
+        case BlockedBy(moment=moment) | NotClear(moment=moment) | Disagreement(moment=moment):
+            return moment
+        case NoGrasp(nearest=BlockedBy(moment=moment)):
+            return moment
+        case _:
+            return None

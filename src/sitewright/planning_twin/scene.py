@@ -94,6 +94,15 @@ class SceneSnapshot:
         return sha256_hex(scene_text(self))
 
 
+def owner_of(scene: SceneSnapshot, name: str) -> RobotId | None:
+    """Return the robot that a link belongs to or that carries a body."""
+    body = scene.bodies.get(BodyId(name))
+    if body is not None:
+        return body.placement.robot if isinstance(body.placement, Attachment) else None
+    robot = RobotId(name.split("/", maxsplit=1)[0])
+    return robot if robot in scene.robots else None
+
+
 def scene_text(scene: SceneSnapshot) -> str:
     """Return the text whose hash is the scene's revision; it names shapes and arms by hash."""
     robots: dict[str, Json] = {

@@ -6,11 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from sitewright.foundation.ids import ComponentId, RobotId
-from sitewright.planning_twin.blockers import owner_of
 from sitewright.planning_twin.call_scope import call_scope
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, NotClear
-from sitewright.planning_twin.scene import Pair
+from sitewright.planning_twin.scene import Pair, owner_of
 from sitewright.planning_twin.setting_down import lying_on_fixtures
 from sitewright.planning_twin.skill_motions.acts import PLANNERS as ACTS
 from sitewright.planning_twin.skill_motions.finish import plan_apply_finish

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from typing_extensions import override
 
@@ -10,6 +12,7 @@ from sitewright.planning_twin.backends.distances import EPS_M, DistanceEngine, l
 from sitewright.planning_twin.backends.path_lines import PathLines, lines_of
 from sitewright.planning_twin.backends.proof_scene import ProofScene, ProofScenes
 from sitewright.planning_twin.backends.team_pairs import tables_of
+from sitewright.planning_twin.moment import by_robot, moment_of
 from sitewright.planning_twin.motion import Certificate, Certifier, JointPath, TeamPath
 from sitewright.planning_twin.refusal import NotClear
 from sitewright.planning_twin.scene import SceneSnapshot
@@ -39,7 +42,7 @@ class ConservativeAdvancement(Certifier):
         proof = self._scenes.of(scene)
         search = self._proven(proof, path)
         if isinstance(search, NotClear):
-            return search
+            return _with_moment(scene, path, search)
         closest = search.closest()
         moving, standing_pairs = tables_of(proof.layout, path.robots)
         return Certificate(
@@ -58,7 +61,7 @@ class ConservativeAdvancement(Certifier):
     @override
     def objection(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> NotClear | None:
         found = self._proven(self._scenes.of(scene), path)
-        return found if isinstance(found, NotClear) else None
+        return _with_moment(scene, path, found) if isinstance(found, NotClear) else None
 
     def _proven(self, proof: ProofScene, path: JointPath | TeamPath) -> Advancement | NotClear:
         lines = lines_of(path)
@@ -93,6 +96,11 @@ class ConservativeAdvancement(Certifier):
                     segment=number,
                 )
         return None
+
+
+def _with_moment(scene: SceneSnapshot, path: JointPath | TeamPath, found: NotClear) -> NotClear:
+    moved = by_robot(scene, path.robots, found.q_rad)
+    return replace(found, moment=moment_of(scene, moved, found.pair))
 
 
 def _not_clear(lines: PathLines, found: TooNear) -> NotClear:

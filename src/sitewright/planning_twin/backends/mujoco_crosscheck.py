@@ -13,6 +13,7 @@ from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.mujoco_cell import MujocoCell, MujocoCells
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.trajectory_samples import positions_at, sample_times
+from sitewright.planning_twin.moment import moment_of
 from sitewright.planning_twin.motion import Agreement, CrossCheck, TimedPath
 from sitewright.planning_twin.refusal import Disagreement
 from sitewright.planning_twin.scene import SceneSnapshot
@@ -54,11 +55,14 @@ class MujocoCrossCheck(CrossCheck):
             too_near = np.flatnonzero(seen.distance_m < tau_m)
             if len(too_near):
                 k = int(too_near[0])
+                pair = cell.pair(int(a[k]), int(b[k]))
+                q_rad = tuple(postures[seen.sample[k]].tolist())
                 return Disagreement(
-                    pair=cell.pair(int(a[k]), int(b[k])),
-                    q_rad=tuple(postures[seen.sample[k]].tolist()),
+                    pair=pair,
+                    q_rad=q_rad,
                     distance_m=float(seen.distance_m[k]),
                     threshold_m=float(tau_m[k]),
+                    moment=moment_of(scene, {robot: q_rad}, pair),
                 )
             telling = limits.is_telling[segments[seen.sample], a, b] > 0.0
             closest_m = float(seen.distance_m[telling].min(initial=closest_m))

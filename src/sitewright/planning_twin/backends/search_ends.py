@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.backends.collision_check import CoalCollisionCheck
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.search_scene import SearchScene
 from sitewright.planning_twin.backends.search_space import SearchSpace
 from sitewright.planning_twin.backends.team_pairs import tables_of
+from sitewright.planning_twin.moment import by_robot, moment_of
 from sitewright.planning_twin.motion import MotionRequest
 from sitewright.planning_twin.refusal import BlockedBy
 from sitewright.planning_twin.scene import Pair, SceneSnapshot
@@ -54,16 +54,17 @@ class EndsCheck:
         """Return the start and the goals that keep the clearance."""
         start = tuple(q for r in request.robots for q in scene.robots[r].q_rad)
         if pairs := self._violations(scene, request, start, request.threshold_m):
-            return BlockedBy(pairs=pairs, reason="the start is blocked")
-        blocked: list[tuple[Pair, ...]] = []
+            return _blocked(scene, request, start, pairs, "the start is blocked")
+        blocked: list[tuple[Joints, tuple[Pair, ...]]] = []
         goals: list[Joints] = []
         for goal in request.goals_rad:
             if pairs := self._violations(scene, request, goal, request.threshold_m):
-                blocked.append(pairs)
+                blocked.append((goal, pairs))
             else:
                 goals.append(goal)
         if not goals:
-            return BlockedBy(pairs=min(blocked, key=len), reason="the goal is blocked")
+            goal, pairs = min(blocked, key=lambda b: len(b[1]))
+            return _blocked(scene, request, goal, pairs, "the goal is blocked")
         return SearchEnds(start=start, goals=tuple(goals))
 
     def question(
@@ -134,14 +135,12 @@ def _all(sets: Iterable[set[Pair]]) -> set[Pair]:
     return {pair for pairs in sets for pair in pairs}
 
 
-def by_robot(
-    scene: SceneSnapshot, robots: Iterable[RobotId], q_rad: Joints
-) -> dict[RobotId, Joints]:
-    """Return whose joints are whose in a posture of several robots."""
-    found: dict[RobotId, Joints] = {}
-    first = 0
-    for robot in robots:
-        count = len(scene.robots[robot].q_rad)
-        found[robot] = q_rad[first : first + count]
-        first += count
-    return found
+def _blocked(
+    scene: SceneSnapshot,
+    request: MotionRequest,
+    end: Joints,
+    pairs: tuple[Pair, ...],
+    reason: str,
+) -> BlockedBy:
+    moved = by_robot(scene, request.robots, end)
+    return BlockedBy(pairs=pairs, reason=reason, moment=moment_of(scene, moved, pairs[0]))

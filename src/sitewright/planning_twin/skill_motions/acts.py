@@ -10,6 +10,7 @@ from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.shapes import Hull, Shape
 from sitewright.planning_twin.approach import CONTACT_M, NEIGHBOUR_M
 from sitewright.planning_twin.jobsite import Jobsite, bodies_of_tool, finger_body, scene_of
+from sitewright.planning_twin.moment import moment_of
 from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk
 from sitewright.planning_twin.scene import Body
 from sitewright.planning_twin.setting_down import lying_on_fixtures, pose_on
@@ -205,7 +206,10 @@ def _finger_sweep(
         **declared(CONTACT_M, gripper, (BodyId(piece),)),
     }
     pairs = stage.context.backends.collision.violations(scene, robot, stage.q_rad(robot), allowed)
-    return BlockedBy(pairs=pairs, reason="the fingers have no room") if pairs else None
+    if not pairs:
+        return None
+    moment = moment_of(scene, {robot: stage.q_rad(robot)}, pairs[0])
+    return BlockedBy(pairs=pairs, reason="the fingers have no room", moment=moment)
 
 
 def _swept(*ends: Shape) -> Shape:

@@ -11,6 +11,7 @@ from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.approach import Approach, Approaches, Reaching, Touch
 from sitewright.planning_twin.free_motion import plan_free_motion
 from sitewright.planning_twin.jobsite import scene_of
+from sitewright.planning_twin.moment import moment_of
 from sitewright.planning_twin.motion import (
     Certificate,
     JointLimits,
@@ -210,7 +211,8 @@ def move_to_any(stage: Stage, robot: RobotId, world_T_tip: Pose) -> PlannedMotio
     refusals: list[Refusal] = []
     for q_rad in postures:
         if pairs := reaching.violations(q_rad, resting, is_padded=True):
-            refusals.append(BlockedBy(pairs=pairs))
+            moment = moment_of(reaching.scene, {robot: q_rad}, pairs[0])
+            refusals.append(BlockedBy(pairs=pairs, moment=moment))
             continue
         motion = move_to(stage, robot, q_rad)
         if isinstance(motion, PlannedMotion):
