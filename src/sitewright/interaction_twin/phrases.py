@@ -146,6 +146,7 @@ ENGLISH = Phrasebook(
         "ends": "because the plan ends with {need}",
         "near": "It comes within {near}, nearer than {limit}: look at it.",
         "about": "It is about {target}, not about {other}.",
+        "instead": "One step instead of the rest of {code}; then a new plan is made.",
         "same": "The steps are the same; their motions differ.",
     },
 )

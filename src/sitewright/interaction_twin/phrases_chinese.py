@@ -110,6 +110,7 @@ CHINESE = Phrasebook(
         "ends": "因为计划以此结束：{need}",
         "near": "最近距离 {near}，小于 {limit}：请查看。",
         "about": "现在是 {target}，不是 {other}。",
+        "instead": "用一个步骤代替 {code} 的其余部分；之后重新规划。",
         "same": "步骤相同；运动不同。",
     },
 )

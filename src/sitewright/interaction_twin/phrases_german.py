@@ -111,6 +111,7 @@ GERMAN = Phrasebook(
         "ends": "weil der Plan so endet: {need}",
         "near": "Er kommt bis auf {near} heran, näher als {limit}: bitte ansehen.",
         "about": "Es geht um {target}, nicht um {other}.",
+        "instead": "Ein Schritt statt des Rests von {code}; danach wird neu geplant.",
         "same": "Die Schritte sind gleich; die Bewegungen sind andere.",
     },
 )

@@ -111,6 +111,7 @@ SPANISH = Phrasebook(
         "ends": "porque el plan termina así: {need}",
         "near": "Se acerca hasta {near}, menos de {limit}: mírelo.",
         "about": "Trata de {target}, no de {other}.",
+        "instead": "Un paso en lugar del resto de {code}; después se planifica de nuevo.",
         "same": "Los pasos son los mismos; los movimientos son otros.",
     },
 )

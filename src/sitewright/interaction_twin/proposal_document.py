@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
@@ -31,6 +31,7 @@ class ProposalSource:
         next_step: The first step that is not done.
         why: Why it is asked anew.
         previous: The plan approved before it, to tell what is different; None if there is none.
+        previous_done: Numbers of its steps that were done.
         look_below_m: Steps that come nearer than this demand a look.
     """
 
@@ -43,6 +44,7 @@ class ProposalSource:
     why: str = ""
     refusals: Sequence[RefusalNote] = ()
     previous: tuple[str, Proposal] | None = None
+    previous_done: frozenset[int] = frozenset()
     look_below_m: float = 0.020
     book: Phrasebook = ENGLISH
 
@@ -87,23 +89,42 @@ def proposal_document(source: ProposalSource, *, is_open: bool) -> dict[str, Jso
         ],
         "summary": [f"{run.robot} {run.words}" for run in runs],
         "previous_code": check_code(previous[0]) if previous else "",
-        "differences": differences(previous[1], proposal, labels, source.book) if previous else [],
+        "differences": _differences(source),
         "flagged": [s["number"] for s in steps if s["flags"]],
         "steps": steps,
     }
 
 
+def _differences(source: ProposalSource) -> list[Json]:
+    if source.previous is None:
+        return []
+    fingerprint, old = source.previous
+    if source.story.made.is_single:
+        words = source.book.page["instead"].format(code=check_code(fingerprint))
+        return [{"kind": "target", "words": words}]
+    return differences(
+        old, source.proposal, source.labels, source.book, old_done=source.previous_done
+    )
+
+
 def differences(
-    old: Proposal, new: Proposal, labels: Labels, book: Phrasebook = ENGLISH
+    old: Proposal,
+    new: Proposal,
+    labels: Labels,
+    book: Phrasebook = ENGLISH,
+    *,
+    old_done: Container[int] = (),
 ) -> list[Json]:
     """Return what one plan says and the other does not, in the order of the new one.
 
-    Plans for different targets differ in everything: then only that is said.
+    Plans for different targets differ in everything: then only that is said. Steps of the old
+    plan that were done are not missing from the new one.
     """
     if old.target != new.target:
         names = {"target": labels.name(new.target), "other": labels.name(old.target)}
         return [{"kind": "target", "words": book.page["about"].format(**names)}]
-    before = [f"{v.robot} {v.words}" for v in step_views(old.steps, labels, book)]
+    left = [s for s in old.steps if s.number not in old_done]
+    before = [f"{v.robot} {v.words}" for v in step_views(left, labels, book)]
     after = [f"{v.robot} {v.words}" for v in step_views(new.steps, labels, book)]
     found: list[Json] = []
     matcher = SequenceMatcher(None, before, after, autojunk=False)

@@ -39,6 +39,11 @@ class ProposalStory:
     decided: Mapping[str, Json] | None = None
     _step_by_command: dict[str, int] = field(default_factory=dict)
 
+    @property
+    def done_steps(self) -> frozenset[int]:
+        """Numbers of the steps that were done."""
+        return frozenset(n for n, status in self.step_status.items() if status == "done")
+
     def hear(self, stamped: Stamped) -> None:
         """Learn from an event that came after the proposal was made."""
         event = stamped.event

@@ -168,6 +168,7 @@ class ProjectTwin:
             return None
         before = self._view.records.approved_before(wanted)
         previous = await self._find(before) if before else None
+        earlier = story_of(before, history)
         is_open = made is not None and made.fingerprint == wanted
         state_ = self._view.records.state
         source = ProposalSource(
@@ -180,6 +181,7 @@ class ProjectTwin:
             why=state_.why if is_open else "",
             refusals=state_.refusals if is_open else (),
             previous=None if previous is None else (before, previous[1]),
+            previous_done=frozenset() if earlier is None else earlier.done_steps,
             book=self._book(language),
             look_below_m=self._policy.look_below_m,
         )
