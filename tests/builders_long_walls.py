@@ -154,5 +154,6 @@ def _on_rail(robot: Robot, half_m: float) -> Robot:
         robot,
         description=replace(robot.description, joints=(rail, *arm)),
         home_q_rad=at(robot.home_q_rad),
+        waits_along_rails=True,
         parking_q_rad=tuple(at(q) for q in robot.parking_q_rad),
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from sitewright.building_model.matching import fits, material_type_of
@@ -20,7 +20,9 @@ from sitewright.construction_graph.queries import (
 )
 from sitewright.construction_graph.queue import target_queue
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.pose import Vector, distance
 from sitewright.robot_team.cell import Capability
+from sitewright.robot_team.waiting import foot_m
 
 
 def front_target(
@@ -60,7 +62,7 @@ class PieceOnSite:
     """A piece of stock that is right for a target.
 
     Attributes:
-        distance_m: From the middle of its box to the nearest base of a robot that may grasp.
+        distance_m: From the middle of its box to the nearest foot of a robot that may grasp.
         under: What lies on it; empty if it can be taken now.
     """
 
@@ -74,10 +76,11 @@ def pieces_for(
 ) -> tuple[PieceOnSite, ...]:
     """Return all pieces that are right for a target, buried ones too, the nearest first."""
     wanted = target_node(graph, target).material_type
+    feet_m = _feet_m(design, context)
     found = [
         PieceOnSite(
             piece=node.id,
-            distance_m=_distance(design, context, node.id),
+            distance_m=_distance(feet_m, context, node.id),
             under=children(graph, node.id),
         )
         for node in materials(graph)
@@ -97,7 +100,8 @@ def choices_of_pieces(
     accessible = wanted_pieces(found, context.site.rejections)
     if held := _held(design, graph, context, target):
         return [held]
-    ordered = sorted(accessible, key=lambda m: (_distance(design, context, m), m))
+    feet_m = _feet_m(design, context)
+    ordered = sorted(accessible, key=lambda m: (_distance(feet_m, context, m), m))
     return [tuple(ordered[:k]) for k in range(1, len(ordered) + 1)] or [()]
 
 
@@ -111,11 +115,16 @@ def _held(
     return tuple(c.id for c in pieces if fits(material_type_of(c), wanted))
 
 
-def _distance(design: Design, context: SiteContext, piece: ComponentId) -> float:
-    """Return the distance to the nearest robot that may grasp (base to middle of the box)."""
+def _feet_m(design: Design, context: SiteContext) -> list[Vector]:
+    """Return where the robots stand that may grasp; one that waits along its rails, as sensed."""
+    robots = [r for r in design.cell.robot_by_id.values() if Capability.GRASPING in r.can]
+    seen = context.observation.robots
+    return [foot_m(r, seen[r.id].q_rad if r.id in seen else r.home_q_rad) for r in robots]
+
+
+def _distance(feet_m: Sequence[Vector], context: SiteContext, piece: ComponentId) -> float:
+    """Return the distance from the nearest foot to the middle of a piece's box."""
     pose = context.observation.world_T_piece.get(piece)
-    robots = design.cell.robot_by_id.values()
-    bases = [r.world_T_base for r in robots if Capability.GRASPING in r.can]
-    if pose is None or not bases:
+    if pose is None or not feet_m:
         return float("inf")
-    return min(pose.distance_to_m(b) for b in bases)
+    return min(distance(pose.position_m, foot) for foot in feet_m)

@@ -9,6 +9,7 @@ from sitewright.central_controller.ports import SiteContext
 from sitewright.construction_graph.graph import NOWHERE, ConstructionGraph, MaterialNode
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.planning_twin.jobsite import ArmState, Jobsite
+from sitewright.robot_team.waiting import is_at_home
 from sitewright.symbolic_planning.site_index import preparation_place
 from sitewright.symbolic_planning.site_view import PlaceId, RobotStatus
 
@@ -36,8 +37,8 @@ def _place(design: Design, context: SiteContext, robot: RobotId, arm: ArmState) 
     """Return where a robot is: what its last motion says, else its station if it is at home."""
     if robot in context.site.place_by_robot:
         return context.site.place_by_robot[robot]
-    home = design.cell.robot_by_id[robot].home_q_rad
-    is_home = max(abs(a - b) for a, b in zip(arm.q_rad, home, strict=True)) < _AT_HOME_RAD
+    unit = design.cell.robot_by_id[robot]
+    is_home = is_at_home(unit, arm.q_rad, within_rad=_AT_HOME_RAD)
     return preparation_place(design.cell, robot) if is_home else None
 
 

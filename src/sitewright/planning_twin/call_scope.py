@@ -58,6 +58,7 @@ def _arm(stage: Stage, robot: Robot) -> Json:
         round(arm.aperture_m, 4),
         held,
         [list(p) for p in postures],
+        robot.waits_along_rails,
     ]
 
 

@@ -15,6 +15,7 @@ from sitewright.planning_twin.task import TwinContext
 from sitewright.planning_twin.touches import spot_touch
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
+from sitewright.robot_team.waiting import home_opposite
 
 
 class DrivingWays:
@@ -62,7 +63,8 @@ class DrivingWays:
         # thresholds are known again by their identity: one value for all of a fastener
         same = [replace(t, near_m=touches[0].near_m, free_m=touches[0].free_m) for t in touches]
         for touch in same:
-            postures = reaching.solve(touch.world_T_tip, robot.home_q_rad)
+            near_rad = home_opposite(robot, touch.world_T_tip.position_m)
+            postures = reaching.solve(touch.world_T_tip, near_rad)
             for q_rad in () if isinstance(postures, NoIk) else different(reaching, postures):
                 if reaching.is_clear(q_rad, touch.near_m):
                     yield _Way(reaching, touch, q_rad)

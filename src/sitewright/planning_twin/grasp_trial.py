@@ -10,6 +10,7 @@ from sitewright.planning_twin.approach import (
     Approach,
     Approaches,
     Reaching,
+    Touch,
     different,
     straight_approach,
 )
@@ -27,6 +28,7 @@ from sitewright.planning_twin.touches import (
 )
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
+from sitewright.robot_team.waiting import home_opposite
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +55,7 @@ class GraspTrial:
         """Yield the proven approaches to the piece where it lies, the nearest posture first."""
         task, at = self.context.task, self.context.site.world_T_piece[self.piece]
         touch = pick_touch(task, self.tool, self.piece, at, self.grasp)
-        for approach in Approaches(self.opened, touch, self.robot.home_q_rad):
+        for approach in Approaches(self.opened, touch, self._near_rad(touch)):
             if is_proven(self.opened, approach.segments):
                 yield approach
 
@@ -69,7 +71,7 @@ class GraspTrial:
         task = self.context.task
         for number, insertion in enumerate(task.insertions):
             touch = place_touch(task, self.tool, self.piece, self.grasp, insertion)
-            for approach in Approaches(self.carrying, touch, self.robot.home_q_rad):
+            for approach in Approaches(self.carrying, touch, self._near_rad(touch)):
                 if is_proven(self.carrying, approach.segments):
                     yield number, approach
 
@@ -77,7 +79,7 @@ class GraspTrial:
         """Yield the clear postures with the piece at the target; whole turns are left out."""
         task = self.context.task
         touch = place_touch(task, self.tool, self.piece, self.grasp, task.insertions[0])
-        postures = self.carrying.solve(touch.world_T_tip, self.robot.home_q_rad)
+        postures = self.carrying.solve(touch.world_T_tip, self._near_rad(touch))
         for q_rad in () if isinstance(postures, NoIk) else different(self.carrying, postures):
             if self.carrying.is_clear(q_rad, touch.near_m):
                 yield q_rad
@@ -91,7 +93,7 @@ class GraspTrial:
         """
         task, insertion = self.context.task, self.context.task.insertions[0]
         touch = place_touch(task, self.tool, self.piece, self.grasp, insertion)
-        postures = self.carrying.solve(touch.world_T_tip, self.robot.home_q_rad)
+        postures = self.carrying.solve(touch.world_T_tip, self._near_rad(touch))
         if isinstance(postures, NoIk):
             return None
         pairs = self.carrying.violations(postures[0], touch.near_m)
@@ -129,6 +131,9 @@ class GraspTrial:
             return False
         way_out = straight_approach(leaving, touch, place.contact_rad)
         return not isinstance(way_out, NoIk) and self._is_way_out(leaving, way_out)
+
+    def _near_rad(self, touch: Touch) -> Joints:
+        return home_opposite(self.robot, touch.world_T_tip.position_m)
 
     @staticmethod
     def _is_way_out(reaching: Reaching, way: Approach) -> bool:

@@ -68,7 +68,7 @@ def _arm(context: TwinContext, robot: Robot) -> Json:
         sha256_hex(arm_text(robot.description)),
         robot.description.payload_kg,
         pose_text(robot.world_T_base),
-        list(robot.home_q_rad),
+        [*robot.home_q_rad, robot.waits_along_rails],
         joints_text(arm.q_rad) if is_driver else [],
         None if tool is None else tool.id,
         [tool_text(context.cell.end_effector_by_id[i]) for i in robot.end_effectors],

@@ -190,7 +190,7 @@ def _park_elsewhere(
     """Choose another parking posture for an idle robot; return the step to plan again from."""
     if blocker is None or places.get(blocker) is not None:
         return None
-    options = len(stage.robot(blocker).parking_q_rad) + 1
+    options = len(stage.parking_postures(blocker))
     tried = parking.get(blocker, 0) + 1
     if tried >= options:
         return None

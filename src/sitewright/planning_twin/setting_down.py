@@ -14,6 +14,7 @@ from sitewright.planning_twin.jobsite import PieceShape
 from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.planning_twin.touches import set_down_touch
+from sitewright.robot_team.waiting import home_opposite
 from sitewright.symbolic_planning.site_view import PlaceId
 
 _TAKEN_M = 0.3
@@ -89,5 +90,6 @@ def _reaches(context: TwinContext, holding: Holding, surface: Pose) -> bool:
         holding.grasp,
         touches=tuple(BodyId(f) for f in context.cell.fixture_by_id),
     )
-    found = Approaches(trial.carrying, touch, robot.home_q_rad)
+    near_rad = home_opposite(robot, touch.world_T_tip.position_m)
+    found = Approaches(trial.carrying, touch, near_rad)
     return any(is_proven(trial.carrying, a.segments) for a in found)

@@ -16,6 +16,7 @@ from sitewright.planning_twin.skill_times import SKILL_TIME_S, TYPICAL_REACH_S
 from sitewright.planning_twin.tacking import Holding, held_site
 from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot, Station, StationKind
+from sitewright.robot_team.waiting import home_opposite
 from sitewright.symbolic_planning.site_index import preparation_place
 from sitewright.symbolic_planning.site_view import GeometricFacts, PlaceId
 
@@ -86,7 +87,8 @@ def out_of_reach(context: TwinContext, robot: Robot, spot: Spot, tool: EndEffect
 
 def _solved(context: TwinContext, robot: Robot, world_T_tip: Pose) -> object:
     base_T_tip = robot.world_T_base.inverse() @ world_T_tip
-    return context.backends.kinematics.solve(robot.description, base_T_tip, robot.home_q_rad)
+    near_rad = home_opposite(robot, world_T_tip.position_m)
+    return context.backends.kinematics.solve(robot.description, base_T_tip, near_rad)
 
 
 def _only_after_letting_go(

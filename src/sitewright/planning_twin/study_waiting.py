@@ -23,6 +23,7 @@ from sitewright.planning_twin.tacking import Holding
 from sitewright.planning_twin.task import TwinContext
 from sitewright.planning_twin.touches import place_touch, spot_touch
 from sitewright.robot_team.cell import Robot
+from sitewright.robot_team.waiting import home_opposite, waiting_q_rad
 from sitewright.symbolic_planning.site_index import preparation_place
 from sitewright.symbolic_planning.site_view import PlaceId
 
@@ -67,7 +68,7 @@ def _waiting(context: TwinContext) -> Jobsite:
     """Return the site with every robot that carries nothing where it waits."""
     robots = context.cell.robot_by_id
     arms = {
-        r: arm if arm.held is not None else replace(arm, q_rad=robots[r].home_q_rad)
+        r: arm if arm.held is not None else replace(arm, q_rad=waiting_q_rad(robots[r], arm.q_rad))
         for r, arm in context.site.arms.items()
     }
     return replace(context.site, arms=arms)
@@ -104,7 +105,8 @@ def _against_any(
     reaching = Reaching(backends=context.backends, scene=scene_of(site), robot=robot.id)
     removals: list[frozenset[RobotId]] = []
     for touch in touches:
-        search = Approaches(reaching, touch, robot.home_q_rad)
+        near_rad = home_opposite(robot, touch.world_T_tip.position_m)
+        search = Approaches(reaching, touch, near_rad)
         if next(iter(search), None) is not None:
             return frozenset()
         why = search.why_not()

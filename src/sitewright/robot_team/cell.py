@@ -47,6 +47,8 @@ class Robot:
         can: Capabilities; by default those of the subtype.
         home_q_rad: Posture at its preparation station.
         parking_q_rad: Postures out of the others' way, in order of preference.
+        waits_along_rails: It may wait and park with its arm like that anywhere along its rails,
+            beside the work, instead of driving to where home and parking postures have them.
         max_acceleration_rad_s2: Per joint; our assumption where the maker states none.
         end_effectors: Those that fit its tool changer.
         mounted: Start state; afterwards the journal knows. None is a bare flange.
@@ -63,6 +65,7 @@ class Robot:
     max_acceleration_rad_s2: Joints
     end_effectors: tuple[EndEffectorId, ...]
     mounted: EndEffectorId | None
+    waits_along_rails: bool = False
 
 
 class EndEffectorKind(StrEnum):

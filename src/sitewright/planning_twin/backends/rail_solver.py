@@ -15,7 +15,9 @@ from sitewright.robot_team.description import Joints
 
 _SPACING_M = 0.35
 _MOST_POSITIONS = 48
-"""Of all rails together; a gantry of three gets a coarser grid."""
+"""Of all rails together; a gantry of three gets a coarser grid. One rail alone keeps its spacing:
+only the positions from which a pose is within reach are looked at.
+"""
 _FINER = 5
 """Steps of the finer grid between two positions of the coarse one."""
 _REFINED = 3
@@ -59,7 +61,10 @@ class RailSolver:
         self._base_T_carriage = frames[-1]
         self._ways = np.einsum("nij,nj->ni", frames[:, :3, :3], chain.axes[:rails])
         self._lowest, self._highest = chain.lower[:rails], chain.upper[:rails]
-        self._grid, self._spacing_m = _grid(self._lowest, self._highest)
+        self._coarse, self._spacing_m = _grid(self._lowest, self._highest, _MOST_POSITIONS)
+        self._grid = self._coarse
+        if rails == 1:
+            self._grid, self._spacing_m = _grid(self._lowest, self._highest, None)
 
     def tip(self, q: Joints) -> Array:
         """Return base_T_tip."""
@@ -69,7 +74,7 @@ class RailSolver:
     def postures(self, base_T_tip: Array, near: Array) -> Array | NoIk:
         """Return the postures at the rail positions that were looked at, `near`'s among them."""
         here = np.clip(near[: self._rails], self._lowest, self._highest)
-        positions = np.concatenate((here[None], self._grid))
+        positions = np.concatenate((here[None], self._within_reach(base_T_tip)))
         found, extension_m = self._at(positions, base_T_tip)
         tried = len(positions)
         if not len(found):
@@ -106,6 +111,14 @@ class RailSolver:
         inside = wrapped(np.concatenate(rows), chain.lower, chain.upper, chain.is_prismatic)
         return inside, np.array([b.extension_m for b in branches])
 
+    def _within_reach(self, base_T_tip: Array) -> Array:
+        """Return the positions of the grid from which a pose may be reached, else the nearest."""
+        frames = self._carriages(self._grid)
+        shoulders_m = frames[:, :3, 3] + frames[0, :3, :3] @ self.arm.shoulder_m
+        away_m = np.linalg.norm(self.arm.wrist_m(base_T_tip) - shoulders_m, axis=1)
+        near = away_m <= max(self.arm.reach_m + _RESERVE_M, float(np.sort(away_m)[:_REFINED][-1]))
+        return np.asarray(self._grid[near])
+
     def _carriages(self, positions: Array) -> Array:
         """Return base_T_carriage at rail positions; rails shift, they never turn."""
         out = np.tile(self._base_T_carriage, (len(positions), 1, 1))
@@ -121,8 +134,8 @@ class RailSolver:
         Returns:
             r x rails, and m x r x 4 x 4.
         """
-        carriage_T_base = np.linalg.inv(self._carriages(self._grid))
-        return self._grid, np.asarray(carriage_T_base[None] @ base_T_tips[:, None])
+        carriage_T_base = np.linalg.inv(self._carriages(self._coarse))
+        return self._coarse, np.asarray(carriage_T_base[None] @ base_T_tips[:, None])
 
     def corners(self) -> Array:
         """Return base_T_carriage at all ends of the rails, m x 4 x 4."""
@@ -155,10 +168,10 @@ class RailSolver:
         return max(0.0, distance_m - self.arm.reach_m - _RESERVE_M)
 
 
-def _grid(lower: Array, upper: Array) -> tuple[Array, Array]:
+def _grid(lower: Array, upper: Array, most: int | None) -> tuple[Array, Array]:
     """Return evenly spread positions of all rails, ends included, and the spacing of each rail."""
     wanted = np.maximum(2, np.ceil((upper - lower) / _SPACING_M).astype(int) + 1)
-    while wanted.prod() > _MOST_POSITIONS:
+    while most is not None and wanted.prod() > most:
         wanted[wanted.argmax()] -= 1
     axes = [np.linspace(a, b, n) for a, b, n in zip(lower, upper, wanted, strict=True)]
     return np.array(list(itertools.product(*axes))), (upper - lower) / (wanted - 1)

@@ -114,6 +114,23 @@ def move_to(
     return finished_motion(stage, robot, scene_of(stage.site), segments)
 
 
+def move_to_first(
+    stage: Stage,
+    robot: RobotId,
+    goals_rad: Iterable[Joints],
+    *,
+    out: tuple[PathSegment, ...] | None = None,
+) -> PlannedMotion | Refusal:
+    """Plan to the first of some postures that can be reached; else return why not to the last."""
+    refusal: Refusal = NoIk(is_proven=False, reason="there is no posture to go to")
+    for goal_rad in goals_rad:
+        motion = move_to(stage, robot, goal_rad, out=out)
+        if isinstance(motion, PlannedMotion):
+            return motion
+        refusal = motion
+    return refusal
+
+
 def _lead(stage: Stage, robot: RobotId) -> tuple[PathSegment, ...] | NoIk:
     return way_out(stage, robot) if stands_in_contact(stage, robot) else ()
 

@@ -17,8 +17,8 @@ from sitewright.planning_twin.skill_motions.dock import above_dock
 from sitewright.planning_twin.skill_motions.finish import covers_patch, first_touches
 from sitewright.planning_twin.skill_motions.moving import (
     Reached,
-    move_to,
     move_to_any,
+    move_to_first,
     reach_any,
 )
 from sitewright.planning_twin.skill_motions.stage import (
@@ -83,7 +83,8 @@ def _opening_for(stage: Stage, robot: RobotId, place: str) -> float | None:
 def _motion(stage: Stage, robot: RobotId, place: str) -> PlannedMotion | Reached | Refusal:
     station = stage.context.cell.station_by_id.get(StationId(place))
     if place == preparation_place(stage.context.cell, robot):
-        return move_to(stage, robot, stage.robot(robot).home_q_rad)
+        home = stage.robot(robot).home_q_rad
+        return move_to_first(stage, robot, stage.out_of_the_way(robot, (home,)))
     if station is not None and station.kind is StationKind.TOOL:
         return _above_dock(stage, robot)
     touches = _touches(stage, robot, place)

@@ -6,7 +6,7 @@ from sitewright.foundation.ids import StationId
 from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.motion import PathSegment, PlannedMotion
 from sitewright.planning_twin.refusal import NoIk, Refusal
-from sitewright.planning_twin.skill_motions.moving import finished_motion, move_to
+from sitewright.planning_twin.skill_motions.moving import finished_motion, move_to_first
 from sitewright.planning_twin.skill_motions.stage import (
     PlannedSkill,
     SkillRefusal,
@@ -66,13 +66,6 @@ def _out_and_park(
     stage: Stage, call: SkillCall, out: tuple[PathSegment, ...]
 ) -> PlannedMotion | Refusal | None:
     """Plan the way out and on to a parking posture, as one trajectory."""
-    robot = stage.robot(call.robot)
-    options = [*robot.parking_q_rad, robot.home_q_rad]
+    options = stage.parking_postures(call.robot)
     first = stage.parking.get(call.robot, 0) % len(options)
-    refusal: Refusal = NoIk(is_proven=False, reason="no parking posture is free")
-    for goal_rad in options[first:] + options[:first]:
-        motion = move_to(stage, call.robot, goal_rad, out=out)
-        if isinstance(motion, PlannedMotion):
-            return motion
-        refusal = motion
-    return refusal
+    return move_to_first(stage, call.robot, options[first:] + options[:first], out=out)

@@ -19,6 +19,7 @@ from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
 from sitewright.robot_team.skill import SkillCall
+from sitewright.robot_team.waiting import waiting_postures
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,6 +67,16 @@ class Stage:
     def q_rad(self, robot: RobotId) -> Joints:
         """Return a robot's posture at this point."""
         return self.site.arms[robot].q_rad
+
+    def out_of_the_way(self, robot: RobotId, declared: tuple[Joints, ...]) -> tuple[Joints, ...]:
+        """Return where a robot may wait, beside the target if its rails lead there."""
+        work_m = self.context.task.world_T_target.position_m
+        return waiting_postures(self.robot(robot), declared, self.q_rad(robot), work_m)
+
+    def parking_postures(self, robot: RobotId) -> tuple[Joints, ...]:
+        """Return where a robot that just has to go away may go, in order of preference."""
+        parking = self.out_of_the_way(robot, self.robot(robot).parking_q_rad)
+        return (*parking, self.robot(robot).home_q_rad)
 
     def reaching(self, robot: RobotId) -> Reaching:
         """Return the means to look for postures of a robot in this scene."""

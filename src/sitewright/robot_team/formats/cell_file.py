@@ -150,6 +150,7 @@ class RobotFile(NamedFile):
     home_q_rad: list[float] | None = None
     parking_q_deg: list[list[float]] | None = None
     parking_q_rad: list[list[float]] | None = None
+    waits_along_rails: bool = False
     max_acceleration_deg_s2: list[Positive] | None = None
     max_acceleration_rad_s2: list[Positive] | None = None
     end_effectors: list[Id] = []

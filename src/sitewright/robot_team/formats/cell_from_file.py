@@ -50,6 +50,7 @@ from sitewright.robot_team.formats.urdf import read_urdf
 from sitewright.robot_team.kinematics import tip_pose
 from sitewright.robot_team.models.catalogue import builtin_end_effector, builtin_robot
 from sitewright.robot_team.rails import Rail, on_rails
+from sitewright.robot_team.waiting import rails_of
 
 _ALWAYS = frozenset({Capability.RETRACTING, Capability.RELEASING})
 _HANDLING = frozenset({Capability.GRASPING, Capability.POSITIONING})
@@ -139,6 +140,9 @@ class CellBuilder:
         for name, q in rows:
             for message, fix in posture_faults(description, name, q):
                 self.problems.append(problem("L2", where, message, fix))
+        if robot.waits_along_rails and not rails_of(description):
+            message, fix = "waits_along_rails is set, and it has no rails.", "Leave it out."
+            self.problems.append(problem("L2", where, message, fix))
         limits, joints = robot.max_acceleration_rad_s2, description.movable_joints
         if len(limits) != len(joints):
             message = f"max_acceleration has {len(limits)} values for {len(joints)} joints."
@@ -222,6 +226,7 @@ def _arm(file: RobotFile, description: Description) -> Robot:
         max_acceleration_rad_s2=acceleration,
         end_effectors=tuple(EndEffectorId(e) for e in file.end_effectors),
         mounted=None if file.mounted is None else EndEffectorId(file.mounted),
+        waits_along_rails=file.waits_along_rails,
     )
 
 
