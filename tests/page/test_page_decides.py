@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import secrets
 import signal
 from collections.abc import Iterator
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Route, WebSocketRoute, expect
+from playwright.sync_api import Browser, Route, expect
 
 from builders_page import WAIT_MS, Seen, ServedProject, browser, look
 from sitewright.app.run_folder import run_folders
@@ -211,40 +210,3 @@ def test_a_viewer_looks_and_may_only_ask_for_a_hold(chromium: Browser, tmp_path:
             assert seen.post("/api/decisions", body)[0] == 403
         assert page.is_enabled(".hold")
         assert events(served, "approval_given") == []
-
-
-def test_trouble_lists_what_was_tried_on_a_copy_and_works(
-    chromium: Browser, served: ServedProject
-) -> None:
-    seen = look(chromium, served)
-    seen.page.route_web_socket("**/ws", _with_trouble)
-    seen.open(dots=0.5)
-    trouble = seen.page.locator(".trouble")
-    expect(trouble).to_contain_text("Left stud")
-    expect(trouble.locator(".tried li")).to_have_text(["Take the board away (9 steps, 12 s)"])
-    assert seen.complaints == []
-
-
-def _with_trouble(page: WebSocketRoute) -> None:
-    """Pass everything on, with one target more that is set aside in each state of the run."""
-    server = page.connect_to_server()
-
-    def to_page(message: str | bytes) -> None:
-        told = json.loads(message) if isinstance(message, str) else {}
-        if told.get("type") != "state":
-            page.send(message)
-            return
-        stuck = {
-            "target": "stud-1",
-            "name": "Left stud",
-            "reason": "A board is in its place",
-            "verdict": "blocked by a board",
-            "pair": None,
-            "blockers": [],
-            "blocker_names": [],
-            "counter_proposals": [{"words": "Take the board away", "steps": 9, "duration_s": 12.2}],
-            "options": [],
-        }
-        page.send(json.dumps({**told, "trouble": [stuck]}))
-
-    server.on_message(to_page)

@@ -214,6 +214,12 @@ export interface Tried {
   duration_s: number;
 }
 
+/** Where robots were when two bodies came too near, and what they carried. */
+export interface Posture {
+  q_rad: Record<string, number[]>;
+  bodies: Edit[];
+}
+
 export interface Trouble {
   target: string;
   name: string;
@@ -222,7 +228,7 @@ export interface Trouble {
   blockers: string[];
   counter_proposals: Tried[];
   options: Option[];
-  posture?: Record<string, number[]>;
+  posture: Posture | null;
 }
 
 export interface Question {

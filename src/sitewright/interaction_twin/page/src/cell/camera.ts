@@ -42,6 +42,22 @@ export class Camera {
     this.from(DIRECTION[view], middle, this.distance(DIRECTION[view]));
   }
 
+  /** Looks at a box from the side that is looked from now; returns what brings the eye back. */
+  frame(box: Box3): () => void {
+    const eye = this.eye.position.clone();
+    const target = this.controls.target.clone();
+    const bounds = this.bounds;
+    const direction = eye.clone().sub(target);
+    this.bounds = box;
+    this.from(direction, box.getCenter(new Vector3()), this.distance(direction));
+    this.bounds = bounds;
+    return () => {
+      this.eye.position.copy(eye);
+      this.controls.target.copy(target);
+      this.controls.update();
+    };
+  }
+
   /** Looks over a robot's shoulder at the middle of the cell. */
   lookFrom(base: Vector3): void {
     const middle = this.bounds.getCenter(new Vector3());

@@ -3,12 +3,13 @@ import { Box3, BoxGeometry, CatmullRomCurve3, Group, Matrix4, Mesh, TubeGeometry
 import type { Rehearsal } from "../preview/rehearsal";
 import type { ComponentRecord, Scene, StepRecord, Vec3 } from "../wire";
 import type { View } from "./camera";
+import { Clash, type Refused } from "./clash";
 import { bodyColour, bodyMaterial, COLOUR, veil } from "./looks";
 import { Pieces } from "./pieces";
 import { matrixOf } from "./poses";
 import { Shapes } from "./shapes";
 import { Stage } from "./stage";
-import { ground, surroundings } from "./surroundings";
+import { ground, lightUp, surroundings } from "./surroundings";
 import { Team, type TeamLook } from "./team";
 
 export type Mode = "now" | "preview" | "target" | "as-built";
@@ -29,8 +30,7 @@ const VEIL = veil(COLOUR.path, 0.32);
 const GHOST: TeamLook = { arm: () => VEIL, tool: VEIL };
 const PATH = bodyMaterial(COLOUR.path);
 const LIT = bodyMaterial(COLOUR.blocker);
-const REFUSED = veil(COLOUR.blocker, 0.35);
-const REFUSED_LOOK: TeamLook = { arm: () => REFUSED, tool: REFUSED };
+const NOTHING: ReadonlySet<string> = new Set();
 
 /** Holds the parts of the picture and puts them as it is told. */
 export class CellPicture {
@@ -46,8 +46,12 @@ export class CellPicture {
   private pieces: Pieces | null = null;
   private building: Pieces | null = null;
   private rehearsal: Rehearsal | null = null;
-  private refused: Readonly<Record<string, readonly number[]>> | null = null;
-  private litRobots: ReadonlySet<string> = new Set();
+  private still = new Group();
+  private refused: Refused | null = null;
+  private clash: Clash | null = null;
+  private comeBack: (() => void) | null = null;
+  private lit: ReadonlyMap<string, string> = new Map();
+  private litThings = NOTHING;
   private readonly path = new Mesh(undefined, PATH);
   private readonly draft = new Mesh(new BoxGeometry(1, 1, 1), veil(COLOUR.keepOut, 0.35));
   private mode: Mode = "now";
@@ -81,9 +85,9 @@ export class CellPicture {
     });
     this.pieces = new Pieces(scene.components, this.shapes);
     this.building = new Pieces(asBuilding(scene), this.shapes);
-    const still = surroundings(scene, this.shapes);
-    this.zones = still.children.filter((child) => child.name.startsWith("zone "));
-    this.parts = new Group().add(still, this.live.root, this.rehearsed.root, this.pieces.root, this.building.root);
+    this.still = surroundings(scene, this.shapes);
+    this.zones = this.still.children.filter((child) => child.userData["isZone"] === true);
+    this.parts = new Group().add(this.still, this.live.root, this.rehearsed.root, this.pieces.root, this.building.root);
     this.stage.world.add(this.parts);
     const bounds = boundsOf(scene);
     this.parts.add(ground(scene.ground_z_m));
@@ -141,6 +145,7 @@ export class CellPicture {
   }
 
   setLit(colourById: ReadonlyMap<string, string>): void {
+    this.lit = colourById;
     this.pieces?.setLit(colourById);
     this.building?.setLit(colourById);
     this.stage.ask();
@@ -163,15 +168,23 @@ export class CellPicture {
     this.stage.ask();
   }
 
-  /** Shows robots as ghosts in a posture that was refused; null puts them away. */
-  setRefused(posture: Readonly<Record<string, readonly number[]>> | null): void {
-    this.refused = posture;
+  /** Shows a refused moment and looks at it; null puts it away and brings the eye back. */
+  setRefused(refused: Refused | null): void {
+    this.refused = refused;
+    this.comeBack?.();
+    this.comeBack = null;
     this.refresh();
+    const box = this.clash === null || this.mode !== "now" ? null : this.clash.box;
+    if (box !== null) this.comeBack = this.stage.camera.frame(box);
   }
 
-  /** Lights robots in the colour of what is in the way. */
-  setLitRobots(ids: ReadonlySet<string>): void {
-    this.litRobots = ids;
+  get shownRefused(): Clash | null {
+    return this.clash;
+  }
+
+  /** Lights robots, fixtures and zones in the colour of what is in the way. */
+  setLitThings(ids: ReadonlySet<string>): void {
+    this.litThings = ids;
     this.refresh();
   }
 
@@ -242,9 +255,12 @@ export class CellPicture {
     if (live === null || rehearsed === null || pieces === null) return;
     const isPreview = this.mode === "preview";
     const isModel = this.mode === "target" || this.mode === "as-built";
+    this.putClashAway();
     live.root.visible = !isPreview && !isModel;
     live.setLook(this.isStale ? STALE : SOLID);
-    if (!this.isStale) for (const id of this.litRobots) live.arms.get(id)?.body.setMaterial(LIT);
+    const lit = this.refused === null ? this.litThings : NOTHING;
+    lightUp(this.still, lit);
+    if (!this.isStale) for (const id of lit) live.arms.get(id)?.body.setMaterial(LIT);
     rehearsed.setLook(isPreview ? SOLID : GHOST);
     rehearsed.root.traverse((node) => {
       node.castShadow = isPreview;
@@ -270,11 +286,7 @@ export class CellPicture {
       return;
     }
     if (this.mode === "now" && this.refused !== null) {
-      rehearsed.setLook(REFUSED_LOOK);
-      rehearsed.setAsDocumented();
-      for (const [robot, joints] of Object.entries(this.refused)) rehearsed.setPosture(robot, joints);
-      rehearsed.setShown((robot) => this.refused !== null && robot in this.refused);
-      rehearsed.root.visible = true;
+      this.drawClash(this.refused);
       return;
     }
     const isGhost = this.mode === "now" && rehearsal !== null && step !== null && step.motions.length > 0;
@@ -283,6 +295,21 @@ export class CellPicture {
       rehearsal.pose(step.starts_s + step.duration_s, rehearsed, null);
       rehearsed.setShown((robot) => robot === step.robot);
     }
+  }
+
+  private putClashAway(): void {
+    if (this.clash === null) return;
+    this.clash.putAway();
+    this.clash = null;
+    this.pieces?.setLit(this.lit);
+  }
+
+  private drawClash(refused: Refused): void {
+    const { scene, shapes, rehearsed: ghosts, live, pieces, still } = this;
+    if (scene === null || ghosts === null || live === null || pieces === null) return;
+    this.clash = new Clash({ scene, shapes, ghosts, live, pieces, still }, refused);
+    this.parts.add(this.clash.root);
+    pieces.setLit(new Map([...this.clash.lit].map((id) => [id, COLOUR.blocker])));
   }
 
   private drawPath(): void {

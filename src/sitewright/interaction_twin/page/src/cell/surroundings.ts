@@ -15,10 +15,11 @@ import {
   type Material,
 } from "three";
 import type { PlaceRecord, Scene } from "../wire";
-import { bodyMaterial, COLOUR } from "./looks";
+import { bodyMaterial, COLOUR, veil } from "./looks";
 import { matrixOf } from "./poses";
 import type { Shapes } from "./shapes";
 
+const LIT = veil(COLOUR.blocker, 0.6);
 const MARK_COLOUR: Readonly<Record<string, string>> = { tool: "#7d5ba6", buffer: "#5b8c4a", preparation: "#6f7f8b", stock: "#a67c3d" };
 
 /** Builds everything that does not move. */
@@ -35,6 +36,7 @@ export function surroundings(scene: Scene, shapes: Shapes): Group {
     const edges = new LineSegments(shapes.edge(fixture.geometry), line);
     const group = new Group().add(mesh, edges);
     group.applyMatrix4(matrixOf(fixture.world_T));
+    group.name = fixture.id;
     root.add(group);
   }
   const hatch = hatched(COLOUR.keepOut, scene.ground_z_m);
@@ -45,7 +47,8 @@ export function surroundings(scene: Scene, shapes: Shapes): Group {
     mesh.renderOrder = 3;
     const group = new Group().add(mesh, new LineSegments(shapes.edge(zone.geometry), rim));
     group.applyMatrix4(matrixOf(zone.world_T));
-    group.name = `zone ${zone.id}`;
+    group.name = zone.id;
+    group.userData["isZone"] = true;
     root.add(group);
   }
   const places = [...scene.stations, ...scene.stock_places.map((p) => ({ ...p, kind: "stock" }))];
@@ -54,6 +57,17 @@ export function surroundings(scene: Scene, shapes: Shapes): Group {
     if (mark !== null) root.add(mark);
   }
   return root;
+}
+
+/** Lights fixtures and zones by id, and gives the others their own look again. */
+export function lightUp(root: Group, ids: ReadonlySet<string>): void {
+  for (const thing of root.children) {
+    for (const mesh of thing.children) {
+      if (!(mesh instanceof Mesh)) continue;
+      mesh.userData["own"] ??= mesh.material;
+      mesh.material = ids.has(thing.name) ? LIT : (mesh.userData["own"] as Material);
+    }
+  }
 }
 
 const isFloor = (id: string): boolean => id === "floor" || id === "ground";

@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { decide } from "../state/decisions";
 import { ask } from "../state/server";
-import { blockers, isReachable, labelOf, may, mode, proposal, refusedPosture, run } from "../state/store";
+import { blockers, isReachable, labelOf, may, mode, proposal, run, shownTrouble } from "../state/store";
 import type { Option, Question, Tried, Trouble } from "../wire";
 import { inNumbers, say, sayWord } from "../words/words";
 import { Dialog } from "./dialog";
@@ -13,7 +13,6 @@ export function NeedsHelp() {
   const ids = trouble.flatMap((t) => [...(t.pair ?? []), ...t.blockers]).map((id) => id.split("/")[0] ?? id);
   useEffect(() => {
     blockers.value = [...new Set(ids)];
-    refusedPosture.value = null;
   }, [ids.join(" ")]);
   if (state === null || (state.question === null && trouble.length === 0)) return null;
   return (
@@ -59,8 +58,8 @@ function Stuck({ trouble }: { trouble: Trouble }) {
       {first !== undefined && second !== undefined && <p class="pair">{say("help.pair", { first: labelOf(first), second: labelOf(second) })}</p>}
       {trouble.counter_proposals.length > 0 && <WhatWorks tried={trouble.counter_proposals} />}
       <div class="buttons">
-        {blockers.value.length > 0 && (
-          <button type="button" aria-pressed={refusedPosture.value !== null} onClick={() => show(trouble)}>
+        {(trouble.pair ?? trouble.blockers).length > 0 && (
+          <button type="button" class="show" aria-pressed={shownTrouble.value === trouble.target} onClick={() => show(trouble)}>
             {say("help.show")}
           </button>
         )}
@@ -88,10 +87,11 @@ function WhatWorks({ tried }: { tried: Tried[] }) {
   );
 }
 
-/** Shows who is in the way, in the posture in which it was seen if that is known. */
+/** Shows who is in the way, in the posture in which it was seen if that is known; once more puts it away. */
 function show(trouble: Trouble): void {
   mode.value = "now";
-  refusedPosture.value = refusedPosture.value === null ? (trouble.posture ?? null) : null;
+  shownTrouble.value = shownTrouble.value === trouble.target ? null : trouble.target;
+  document.querySelector(".picture")?.scrollIntoView({ block: "nearest" });
 }
 
 function OptionButton({ option, onManual }: { option: Option; onManual: () => void }) {

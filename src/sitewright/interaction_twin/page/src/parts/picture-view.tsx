@@ -15,13 +15,14 @@ import {
   lockedIds,
   mode,
   piecePoses,
-  refusedPosture,
+  refused,
   replayed,
   rehearsal,
   run,
   scene,
   screen,
   selectedComponent,
+  shownTrouble,
   standing,
   step,
   time_s,
@@ -77,6 +78,16 @@ const isRehearsed = (): boolean => mode.value === "preview" && screen.value !== 
 const isOld = (): boolean => mode.value === "now" && link.value !== "live" && !isFrozen;
 
 function Notice() {
+  if (refused.value !== null && mode.value === "now" && screen.value === "cell") {
+    return (
+      <p class="over tried-then">
+        {say(refused.value.posture === null ? "picture.blockers" : "picture.refused")}
+        <button type="button" onClick={() => (shownTrouble.value = null)}>
+          {say("picture.back")}
+        </button>
+      </p>
+    );
+  }
   if (isRehearsed()) return <p class="over">{say(replayed.value === null ? "picture.preview" : "picture.replay")}</p>;
   if (!isOld() || link.value === "lost" || link.value === "connecting") return null;
   return <p class="over old">◷ {say("picture.stale", { seconds: age_s.value.toFixed(1) })}</p>;
@@ -173,8 +184,11 @@ function attach(canvas: HTMLCanvasElement, frame: HTMLElement): () => void {
     followScreen(made),
     effect(() => filter(made)),
     effect(() => made.setLit(lit())),
-    effect(() => made.setLitRobots(new Set(blockers.value))),
-    effect(() => made.setRefused(refusedPosture.value)),
+    effect(() => made.setLitThings(new Set(blockers.value))),
+    effect(() => {
+      void scene.value;
+      made.setRefused(refused.value);
+    }),
     effect(() => made.setRehearsal(rehearsal.value)),
     effect(() => {
       void rehearsal.value;

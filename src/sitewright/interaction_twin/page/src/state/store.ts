@@ -1,5 +1,6 @@
 // What the page knows; every part of the page reads it here and nowhere else.
 import { computed, signal } from "@preact/signals";
+import type { Refused } from "../cell/clash";
 import type { Mode } from "../cell/picture";
 import type { Rehearsal } from "../preview/rehearsal";
 import type { Bar, NoProposal, Proposal, Refusal, RunEvent, RunState, Scene, Session, StepRecord } from "../wire";
@@ -29,8 +30,12 @@ export const seenSteps = signal<ReadonlySet<number>>(new Set());
 export const hiddenIds = signal<ReadonlySet<string>>(new Set());
 export const lockedIds = signal<ReadonlySet<string>>(new Set());
 export const blockers = signal<readonly string[]>([]);
-/** Joints by robot at a refused moment that is looked at. */
-export const refusedPosture = signal<Readonly<Record<string, readonly number[]>> | null>(null);
+/** The target whose trouble is looked at in the picture. */
+export const shownTrouble = signal<string | null>(null);
+export const refused = computed<Refused | null>(() => {
+  const trouble = run.value?.trouble.find((t) => t.target === shownTrouble.value);
+  return trouble === undefined ? null : { pair: trouble.pair ?? trouble.blockers, posture: trouble.posture };
+});
 
 export const rehearsal = signal<Rehearsal | null>(null);
 export const rehearsalTrouble = signal("");

@@ -122,6 +122,9 @@ export const de: Words = {
   "picture.label": "3D-Bild der Zelle. Schritte und Bauteile stehen in den Listen daneben.",
   "picture.failed": "Dieser Browser kann das 3D-Bild nicht zeichnen: {reason}",
   "picture.stale": "Roboter grau: das letzte Bild der Sensoren ist {seconds} s alt.",
+  "picture.refused": "So wurde es versucht, nicht die Zelle jetzt: die zwei in Rot kommen sich zu nahe.",
+  "picture.blockers": "Was im Weg ist, in Rot.",
+  "picture.back": "Zurück zur Zelle",
   "picture.preview": "Vorschau: nicht die Zelle",
 
   "preview.play": "Abspielen",

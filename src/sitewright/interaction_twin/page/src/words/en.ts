@@ -121,6 +121,9 @@ export const en = {
   "picture.label": "3D picture of the cell. Steps and components are in the lists beside it.",
   "picture.failed": "This browser cannot draw the 3D picture: {reason}",
   "picture.stale": "Robots are grey: the last sensed picture is {seconds} s old.",
+  "picture.refused": "As it was tried, not the cell now: the two in red come too near.",
+  "picture.blockers": "What is in the way, in red.",
+  "picture.back": "Back to the cell",
   "picture.preview": "Preview: not the cell",
 
   "preview.play": "Play",

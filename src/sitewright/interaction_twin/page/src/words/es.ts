@@ -122,6 +122,9 @@ export const es: Words = {
   "picture.label": "Imagen 3D de la celda. Los pasos y los componentes están en las listas de al lado.",
   "picture.failed": "Este navegador no puede dibujar la imagen 3D: {reason}",
   "picture.stale": "Robots en gris: la última imagen medida tiene {seconds} s.",
+  "picture.refused": "Así se intentó, no es la celda ahora: los dos en rojo se acercan demasiado.",
+  "picture.blockers": "Lo que estorba, en rojo.",
+  "picture.back": "Volver a la celda",
   "picture.preview": "Vista previa: no es la celda",
 
   "preview.play": "Reproducir",

@@ -122,6 +122,9 @@ export const zh: Words = {
   "picture.label": "工作单元的三维图。步骤和构件见旁边的列表。",
   "picture.failed": "此浏览器无法绘制三维图：{reason}",
   "picture.stale": "机器人显示为灰色：最近的测量画面已有 {seconds} 秒。",
+  "picture.refused": "这是尝试时的情形，不是现在的单元：红色的两者靠得太近。",
+  "picture.blockers": "挡路的物体以红色显示。",
+  "picture.back": "返回单元",
   "picture.preview": "预演：不是实际工作单元",
 
   "preview.play": "播放",
