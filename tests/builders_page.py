@@ -97,17 +97,29 @@ class ServedProject:
 
 @dataclass
 class Seen:
-    """A page with what went wrong on it."""
+    """A page with what went wrong on it.
+
+    Attributes:
+        requests: Addresses of all that it asked for.
+        complaints: Errors and warnings of its console.
+        sent: Bodies of the decisions that it sent.
+    """
 
     page: Page
     served: ServedProject
     requests: list[str] = field(default_factory=list)
     complaints: list[str] = field(default_factory=list)
+    sent: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.page.on("request", lambda r: self.requests.append(r.url))
+        self.page.on("request", self._note)
         self.page.on("pageerror", lambda e: self.complaints.append(str(e)))
         self.page.on("console", self._listen)
+
+    def _note(self, request: Any) -> None:
+        self.requests.append(request.url)
+        if request.url.endswith("/api/decisions"):
+            self.sent.append(request.post_data or "")
 
     def _listen(self, message: Any) -> None:
         if message.type in {"error", "warning"} and _NOISE not in message.text:
@@ -117,6 +129,14 @@ class Seen:
         """Load the page by its link and wait until it is there; fewer dots are drawn sooner."""
         token = self.served.url.partition("#")[2]
         self.page.goto(f"{self.served.origin}/?dpr={dots}#{token}")
+        self.page.wait_for_function(READY, timeout=WAIT_MS)
+        self.page.wait_for_selector("[data-link=live]", timeout=WAIT_MS)
+
+    def sign_in(self, user: str, token: str, *, dots: float = 0.5) -> None:
+        """Load the page as a person with a token of his own."""
+        body = {"user": user, "token": token}
+        assert self.post("/api/session", body)[0] == 200
+        self.page.goto(f"{self.served.origin}/?dpr={dots}")
         self.page.wait_for_function(READY, timeout=WAIT_MS)
         self.page.wait_for_selector("[data-link=live]", timeout=WAIT_MS)
 
@@ -187,11 +207,14 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
-def look(chromium: Browser, served: ServedProject, *, width: int = 1280) -> Seen:
+def look(
+    chromium: Browser, served: ServedProject, *, width: int = 1280, has_touch: bool = False
+) -> Seen:
     """Return a page in a context of its own: another person at another screen."""
     context = chromium.new_context(
         viewport={"width": width, "height": SIZES[width]},
         reduced_motion="reduce",
         locale="en-GB",
+        has_touch=has_touch,
     )
     return Seen(context.new_page(), served)

@@ -9,7 +9,7 @@ import { ZoneDialog } from "./parts/zone-dialog";
 import { mark } from "./marks";
 import { AuditScreen, HealthScreen } from "./screens/records";
 import { Workspace } from "./screens/workspace";
-import { watchCode } from "./state/arming";
+import { watchPlan } from "./state/arming";
 import { startPage } from "./state/start";
 import { link, rehearsal, screen, session, type Screen } from "./state/store";
 import { say } from "./words/words";
@@ -62,7 +62,7 @@ window.__app = {
 
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element with the id page");
-watchCode(() => performance.now());
+watchPlan(() => performance.now());
 render(<Page />, root);
 startPage().then(
   () => mark("ui"),

@@ -10,13 +10,14 @@ const restsUntil = signal(0);
 const clock = signal(0);
 const differencesShown = signal("");
 
-/** Starts a second of rest whenever the code on the screen changes. */
-export function watchCode(now: () => number): void {
-  let shown: string | null = null;
+/** Starts a second of rest whenever what Approve means changes: the plan, or the step that is next. */
+export function watchPlan(now: () => number): void {
+  let shown = "";
   effect(() => {
-    const code = proposal.value?.code ?? null;
-    if (code === shown) return;
-    shown = code;
+    const plan = proposal.value;
+    const meant = plan === null ? "" : `${plan.fingerprint} ${plan.next_step}`;
+    if (meant === shown) return;
+    shown = meant;
     restsUntil.value = now() + REST_MS;
     clock.value = now();
     setTimeout(() => {
