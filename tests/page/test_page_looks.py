@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, Route, expect
 
 from builders_page import READY, SIZES, WAIT_MS, Seen, ServedProject, browser, look
 
@@ -88,7 +89,7 @@ def test_a_tap_in_the_picture_names_what_was_tapped(seen: Seen) -> None:
     page.click(".views .menu button >> nth=1")  # from above nothing hides the frame
     place = page.evaluate("() => __app.project('stud-2')")
     page.locator("canvas").click(position={"x": place["x"], "y": place["y"]})
-    expect(page.locator(".card h3")).to_have_text("Transverse stud 2")
+    expect(page.locator(".card h2")).to_have_text("Transverse stud 2")
     expect(page.locator(".card dl")).to_contain_text("Supporting stud 1")
     page.click(".card header button")
     page.click(".views .opener")
@@ -122,12 +123,65 @@ def test_list_schedule_and_picture_select_the_same_step(seen: Seen) -> None:
     page = seen.page
     page.click(".step >> nth=1 >> .row")
     expect(page.locator(".step.selected")).to_have_attribute("data-step", "2")
-    expect(page.locator("rect[data-bar='2'][stroke-width='2.2']")).to_have_count(1)
+    expect(page.locator(".gantt .planned.selected[data-step='2']")).to_have_count(1)
     page.focus(".gantt")
     page.keyboard.press("ArrowRight")
     expect(page.locator(".step.selected")).to_have_attribute("data-step", "3")
     page.click(".step.selected .row")
     expect(page.locator(".step.selected")).to_have_count(0)
+
+
+def test_graph_list_and_picture_of_the_building_select_the_same_component(seen: Seen) -> None:
+    page = seen.page
+    page.click("nav button >> nth=1")
+    page.click(".graph [data-component=stud-2]")
+    expect(page.locator(".order button[aria-pressed=true]")).to_contain_text("Transverse stud 2")
+    page.click(".views .opener")
+    page.click(".views .menu button >> nth=1")  # from above nothing hides the frame
+    place = page.evaluate("() => __app.project('stud-1')")
+    page.locator("canvas").click(position={"x": place["x"], "y": place["y"]})
+    expect(page.locator(".graph .selected")).to_have_attribute("data-component", "stud-1")
+    page.focus(".graph")
+    page.keyboard.press("ArrowRight")
+    expect(page.locator(".graph .selected")).to_have_attribute("data-component", "stud-2")
+    expect(page.locator(".card h2")).to_have_text("Transverse stud 2")
+    page.click(".card header button")
+    expect(page.locator(".graph .selected")).to_have_count(0)
+
+
+def test_the_slider_of_the_building_takes_components_away_in_their_order(seen: Seen) -> None:
+    page = seen.page
+    page.click("nav button >> nth=1")
+    page.fill(".scroll input[type=range]", "2")
+    expect(page.locator(".order .later")).to_have_count(3)
+    page.click(".views .opener")
+    page.click(".views .menu button >> nth=1")
+    middle = page.evaluate("() => __app.project('stud-2')")
+    page.locator("canvas").click(position=middle)
+    expect(page.locator(".card h2")).to_have_count(0)  # it does not stand yet
+    page.fill(".scroll input[type=range]", "5")
+    page.locator("canvas").click(position=middle)
+    expect(page.locator(".card h2")).to_have_text("Transverse stud 2")
+    page.click(".card header button")
+
+
+def test_a_picture_that_carries_more_than_a_picture_is_not_put_in(seen: Seen) -> None:
+    page = seen.page
+    image = '<svg xmlns="http://www.w3.org/2000/svg"><g {}/>{}</svg>'
+    for attribute, inside in (('onclick="x()"', ""), ("", "<script>x()</script>"), ("", "<a/>")):
+        evil = image.format(attribute, inside)
+        page.route("**/graph.svg*", partial(_answer, evil))
+        with page.expect_event("pageerror"):
+            page.click("nav button >> nth=1")
+        assert page.locator(".graph svg").count() == 0
+        page.click("nav button >> nth=0")
+        page.unroute("**/graph.svg*")
+    assert all("a picture has no" in c for c in seen.complaints)
+    seen.complaints.clear()
+
+
+def _answer(picture: str, route: Route) -> None:
+    route.fulfill(body=picture, content_type="image/svg+xml")
 
 
 def test_hold_comes_first_for_keys_and_approve_never_has_the_focus_by_itself(seen: Seen) -> None:

@@ -31,11 +31,11 @@ from sitewright.construction_graph.graph import JOBSITE, ConstructionGraph, Node
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
+from sitewright.interaction_twin.drawing.gantt import gantt
+from sitewright.interaction_twin.drawing.graph_picture import GraphStyle, graph_picture
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.report.content import RunSummary, Stamped
 from sitewright.interaction_twin.report.figures import report_json
-from sitewright.interaction_twin.report.gantt import gantt
-from sitewright.interaction_twin.report.graph_picture import graph_picture
 from sitewright.interaction_twin.report.page import report_page
 from sitewright.interaction_twin.report.summary import summarise
 from sitewright.journal.sqlite import read_records
@@ -229,7 +229,7 @@ def test_what_rests_on_something_is_drawn_above_it() -> None:
     assert len(place) == 7, "six nodes and the jobsite"
     for n in FRAME.node_by_id.values():
         for parent in n.construction_parents:
-            below = "The jobsite, root of the graph" if parent == JOBSITE else parent
+            below = "Jobsite" if parent == JOBSITE else parent
             assert place[n.id][1] < place[below][1]
 
 
@@ -238,7 +238,7 @@ def test_no_two_boxes_of_a_graph_overlap() -> None:
     graph = graph_with(*(node(f"support-{n}") for n in range(3)), *wide)
     place = sorted(boxes(graph_picture(graph)).values(), key=lambda p: (p[1], p[0]))
     for (x1, y1), (x2, y2) in pairwise(place):
-        assert y1 != y2 or x2 - x1 >= 104.0
+        assert y1 != y2 or x2 - x1 >= GraphStyle().box_px
 
 
 def test_names_from_a_model_cannot_break_out_of_the_pictures() -> None:

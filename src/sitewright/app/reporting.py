@@ -15,10 +15,10 @@ from sitewright.app.run_folder import RunFolder, chain_of, event_of, run_named
 from sitewright.central_controller.site_state import SiteState, site_of
 from sitewright.errors import ExecutionError
 from sitewright.foundation.canonical import Json
+from sitewright.interaction_twin.drawing.gantt import gantt
 from sitewright.interaction_twin.labels import labels_of
 from sitewright.interaction_twin.report.content import RunSummary, Stamped
 from sitewright.interaction_twin.report.figures import report_json
-from sitewright.interaction_twin.report.gantt import gantt
 from sitewright.interaction_twin.report.page import report_page
 from sitewright.interaction_twin.report.summary import summarise
 from sitewright.journal.blobs import write_whole

@@ -29,7 +29,7 @@ def graph(project: Path, cell: Path | None, svg: Path | None, is_json: bool) -> 
     from sitewright.app.looking import graph_of_site
     from sitewright.app.project import open_project
     from sitewright.construction_graph.queue import target_queue
-    from sitewright.interaction_twin.report.graph_picture import graph_picture
+    from sitewright.interaction_twin.drawing.graph_picture import graph_picture
     from sitewright.interaction_twin.text_graph import text_graph
 
     out = Output(is_json)

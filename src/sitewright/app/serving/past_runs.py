@@ -12,10 +12,11 @@ from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.events import RunStarted
 from sitewright.central_controller.site_state import site_of
 from sitewright.foundation.canonical import Json
+from sitewright.interaction_twin.drawing.bars import Bar
 from sitewright.interaction_twin.event_document import event_document
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.narration import narrate
-from sitewright.interaction_twin.report.content import Bar, Stamped
+from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.report.timeline import timeline
 from sitewright.interaction_twin.web.twin import Document
 from sitewright.journal.sqlite import read_records

@@ -15,7 +15,8 @@ from sitewright.app.run_folder import run_folders
 from sitewright.app.serving.channel import Message
 from sitewright.app.serving.live_feed import LiveFeed
 from sitewright.app.serving.own_words import own_words
-from sitewright.app.serving.past_runs import bars_document
+from sitewright.app.serving.past_runs import bars_document, history
+from sitewright.app.serving.pictures import plan_schedule, run_schedule
 from sitewright.app.serving.policy_file import policy_of
 from sitewright.app.serving.proposal_shelf import ProposalShelf
 from sitewright.app.serving.run_process import RunLink
@@ -26,9 +27,17 @@ from sitewright.app.serving.telling import by_hand_document, ways_reply
 from sitewright.central_controller.codec import to_json
 from sitewright.central_controller.fingerprint import check_code
 from sitewright.central_controller.proposal import Proposal
+from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.clock import Clock
 from sitewright.interaction_twin.decisions import Decision, Reply, Signed
+from sitewright.interaction_twin.drawing.bars import planned_bars
+from sitewright.interaction_twin.drawing.gantt import beside_a_picture
+from sitewright.interaction_twin.drawing.graph_picture import (
+    building_of,
+    for_fingers,
+    graph_picture,
+)
 from sitewright.interaction_twin.event_document import audit_document
 from sitewright.interaction_twin.languages import PHRASEBOOKS, with_own_skills
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
@@ -38,6 +47,7 @@ from sitewright.interaction_twin.proposal_document import (
     proposal_document,
 )
 from sitewright.interaction_twin.proposal_story import story_of
+from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.report.timeline import timeline
 from sitewright.interaction_twin.roles import Person, Verb
 from sitewright.interaction_twin.web.twin import Audience, Document
@@ -162,13 +172,12 @@ class ProjectTwin:
         if found is None:
             return None
         run, proposal = found
-        history = [r.stamped for r in self._view.records.all()]
-        story = story_of(wanted, history)
+        story = story_of(wanted, self._view.records.stamped)
         if story is None:
             return None
         before = self._view.records.approved_before(wanted)
         previous = await self._find(before) if before else None
-        earlier = story_of(before, history)
+        earlier = story_of(before, self._view.records.stamped)
         is_open = made is not None and made.fingerprint == wanted
         state_ = self._view.records.state
         source = ProposalSource(
@@ -225,10 +234,34 @@ class ProjectTwin:
             "actual": bars_document(bars.actual, self._view.labels),
         }
 
+    async def plan_schedule(self, fingerprint: str, language: str, width_px: float) -> str | None:
+        """Return the schedule of a plan, and what ran of it, as a picture."""
+        found = await self._find(fingerprint)
+        if found is None:
+            return None
+        run, proposal = found
+        records = await self._history(run)
+        plan = planned_bars(proposal.steps, target=proposal.target, fingerprint=fingerprint)
+        style = beside_a_picture(width_px, self._book(language))
+        return await asyncio.to_thread(plan_schedule, plan, records, self._view.labels, style)
+
+    async def run_schedule(self, run: str, language: str, width_px: float) -> str | None:
+        """Return the schedule of a run as a picture; None if there is no such run."""
+        records = await self._history(run)
+        if not records:
+            return None
+        style = beside_a_picture(width_px, self._book(language))
+        return await asyncio.to_thread(run_schedule, records, self._view.labels, style)
+
+    async def graph_picture(self, language: str) -> str:
+        """Return what rests on what in the building now as a picture."""
+        graph = await self._graph()
+        style = for_fingers(self._book(language))
+        return await asyncio.to_thread(graph_picture, building_of(graph), style)
+
     async def graph(self) -> Document:
         """Return the construction relationship graph now."""
-        site = self._view.records.state.site
-        graph = await asyncio.to_thread(graph_at, self._view.project, site)
+        graph = await self._graph()
         return {
             "nodes": [
                 {
@@ -328,6 +361,18 @@ class ProjectTwin:
             changed = differences(old[1], new[1], self._view.labels)
         open_now = {"fingerprint": open_, "code": check_code(open_)} if open_ else None
         return {**body, "open": open_now, "changed": changed}
+
+    async def _graph(self) -> ConstructionGraph:
+        site = self._view.records.state.site
+        return await asyncio.to_thread(graph_at, self._view.project, site)
+
+    async def _history(self, run: str) -> Sequence[Stamped]:
+        """Return the records of a run; none if there is no such run."""
+        known = self._view.records.of_run(run)
+        if known:
+            return known
+        folder = next((f for f in run_folders(self._view.runs) if f.run == run), None)
+        return () if folder is None else await asyncio.to_thread(history, folder)
 
     async def _find(self, fingerprint: str) -> tuple[str, Proposal] | None:
         async with self._shelf_lock:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from sitewright.interaction_twin.drawing.svg import Attribute, element, text, tooltip
 from sitewright.interaction_twin.reach.drawing import Drawing, Drawn, DrawnRobot, Spotted
 from sitewright.interaction_twin.reach.names import names
 from sitewright.interaction_twin.reach.outline import Point
 from sitewright.interaction_twin.reach.palette import ALARM, INK, PAPER
 from sitewright.interaction_twin.reach.view import Frame, Side
-from sitewright.interaction_twin.report.svg import Attribute, element, text, tooltip
 
 _DOT_PX = 2.6
 

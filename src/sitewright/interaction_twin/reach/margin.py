@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from textwrap import wrap
 
+from sitewright.interaction_twin.drawing.svg import element, text
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.reach.drawing import Drawing
 from sitewright.interaction_twin.reach.lines import WORDS, robot_lines
@@ -21,7 +22,6 @@ from sitewright.interaction_twin.reach.palette import (
     Look,
     look_of,
 )
-from sitewright.interaction_twin.report.svg import element, text
 from sitewright.planning_twin.reachability.report import ReachReport
 from sitewright.planning_twin.reachability.verdict import Standing
 

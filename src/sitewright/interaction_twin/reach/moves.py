@@ -6,11 +6,11 @@ import math
 from collections.abc import Iterator, Mapping
 
 from sitewright.foundation.pose import Vector
+from sitewright.interaction_twin.drawing.svg import element, picture
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import counted
 from sitewright.interaction_twin.reach.lines import robot_lines
 from sitewright.interaction_twin.reach.picture import sized_picture
-from sitewright.interaction_twin.report.svg import element, picture
 from sitewright.planning_twin.layout.movables import Arrangement, Movable, Shift, Yard
 from sitewright.planning_twin.reachability.report import ReachReport
 

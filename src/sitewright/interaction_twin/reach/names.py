@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from sitewright.interaction_twin.drawing.svg import Attribute, element, shortened, text
 from sitewright.interaction_twin.reach.drawing import Drawing, Drawn
 from sitewright.interaction_twin.reach.outline import Point
 from sitewright.interaction_twin.reach.palette import INK, PAPER, STOCK_NAME
 from sitewright.interaction_twin.reach.view import Frame, Side
-from sitewright.interaction_twin.report.svg import Attribute, element, shortened, text
 
 _SMALLEST_PX, _SIZE_PX, _CHAR_PX, _BIG_PX = 26.0, 9.0, 5.2, 11.0
 

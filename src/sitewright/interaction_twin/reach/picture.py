@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from sitewright.foundation.pose import Vector
+from sitewright.interaction_twin.drawing.svg import element, picture, text
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.reach.drawing import Drawing, drawing_of
 from sitewright.interaction_twin.reach.layers import layers
@@ -14,7 +15,6 @@ from sitewright.interaction_twin.reach.margin import margin_column
 from sitewright.interaction_twin.reach.outline import Outline
 from sitewright.interaction_twin.reach.palette import INK, SOFT
 from sitewright.interaction_twin.reach.view import Frame, Side, extent
-from sitewright.interaction_twin.report.svg import element, picture, text
 from sitewright.planning_twin.reachability.report import ReachReport
 
 _LEFT, _TOP, _GAP, _COLUMN = 40.0, 84.0, 46.0, 330.0

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from sitewright.central_controller.events import AnyEvent
 from sitewright.central_controller.ports import RefusalNote
 from sitewright.foundation.ids import ComponentId, RobotId
-from sitewright.robot_team.skill import SkillCall
+from sitewright.interaction_twin.drawing.bars import Bar
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,26 +18,6 @@ class Stamped:
     at_utc_ns: int
     event: AnyEvent
     number: int = 0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Bar:
-    """One skill on the time axis of its robot.
-
-    Attributes:
-        starts_s: On the cell's clock, counted from the first skill of the run.
-        step: Number in its proposal, whose fingerprint is beside it.
-        is_done: False if the skill failed or its outcome was never known.
-    """
-
-    robot: RobotId
-    call: SkillCall
-    target: ComponentId
-    starts_s: float
-    duration_s: float
-    is_done: bool = True
-    step: int = 0
-    fingerprint: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,6 +7,8 @@ from datetime import UTC, datetime
 from html import escape
 
 from sitewright.construction_graph.graph import ConstructionGraph
+from sitewright.interaction_twin.drawing.gantt import gantt
+from sitewright.interaction_twin.drawing.graph_picture import graph_picture
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import counted, in_millimetres, in_seconds
 from sitewright.interaction_twin.report.cards import (
@@ -15,8 +17,6 @@ from sitewright.interaction_twin.report.cards import (
     tenths_of_millimetres,
 )
 from sitewright.interaction_twin.report.content import Figures, RunSummary
-from sitewright.interaction_twin.report.gantt import gantt
-from sitewright.interaction_twin.report.graph_picture import graph_picture
 from sitewright.interaction_twin.report.style import STYLE
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"

@@ -13,7 +13,7 @@ from sitewright.central_controller.events import (
     SkillOutcome,
 )
 from sitewright.foundation.ids import CommandId
-from sitewright.interaction_twin.report.content import Bar
+from sitewright.interaction_twin.drawing.bars import Bar
 from sitewright.robot_team.driver import SkillReport
 
 

@@ -14,6 +14,7 @@ from sitewright.interaction_twin.decisions import Decision, Reply, body_hash, re
 from sitewright.interaction_twin.languages import PHRASEBOOKS
 from sitewright.interaction_twin.roles import NEEDED_ROLE, Person, Role, Verb
 from sitewright.interaction_twin.web.requests import (
+    BadRequestError,
     DecisionBody,
     HoldBody,
     Nothing,
@@ -28,6 +29,8 @@ from sitewright.interaction_twin.web.twin import Twin
 LANGUAGES = tuple(PHRASEBOOKS)
 _FOR_EVER = "private, max-age=31536000, immutable"
 _OPEN = "open"
+_NARROWEST_PX, _WIDEST_PX = 200, 4_000
+_PICTURE_POLICY = "default-src 'none'; frame-ancestors 'none'"
 _REPORT_POLICY = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'self'"
 
 
@@ -186,6 +189,26 @@ class Api:
         del request, person
         return JSONResponse(await self._twin.schedule())
 
+    async def plan_schedule(self, request: Request, person: Person) -> Response:
+        """Return the schedule of a plan as a picture."""
+        del person
+        wanted = request.path_params["fingerprint"]
+        width_px = _width_px(request)
+        found = await self._twin.plan_schedule(wanted, _language(request), width_px)
+        return answer(unknown("proposal", wanted)) if found is None else _picture(found)
+
+    async def run_schedule(self, request: Request, person: Person) -> Response:
+        """Return the schedule of a run as a picture."""
+        del person
+        wanted = request.path_params["run"]
+        found = await self._twin.run_schedule(wanted, _language(request), _width_px(request))
+        return answer(unknown("run", wanted)) if found is None else _picture(found)
+
+    async def graph_picture(self, request: Request, person: Person) -> Response:
+        """Return the construction relationship graph as a picture."""
+        del person
+        return _picture(await self._twin.graph_picture(_language(request)))
+
     async def graph(self, request: Request, person: Person) -> Response:
         """Return the construction relationship graph."""
         del request, person
@@ -239,6 +262,25 @@ def _only(needed: Role) -> str:
 def _hash(raw: bytes, person: Person) -> str:
     content: Mapping[str, Json] = json.loads(raw)
     return body_hash(content, person.who)
+
+
+def _picture(svg: str) -> Response:
+    headers = {"content-security-policy": _PICTURE_POLICY}
+    return Response(svg, media_type="image/svg+xml", headers=headers)
+
+
+def _width_px(request: Request) -> float:
+    """Return how wide a picture shall be.
+
+    Raises:
+        BadRequestError: The width is none.
+    """
+    asked = request.query_params.get("width", "1120")
+    if asked.isdecimal() and _NARROWEST_PX <= int(asked) <= _WIDEST_PX:
+        return float(asked)
+    message = f"width is {asked!r}, not pixels from {_NARROWEST_PX} to {_WIDEST_PX}."
+    where: list[Json] = [{"field": "width", "message": message}]
+    raise BadRequestError(refusal(422, "fields", message, where=where))
 
 
 def _language(request: Request) -> str:

@@ -78,6 +78,18 @@ class Twin(Protocol):
         """Return planned and actual skills of the newest run on one time axis."""
         ...
 
+    async def plan_schedule(self, fingerprint: str, language: str, width_px: float) -> str | None:
+        """Return the schedule of a plan, and what ran of it, as a picture."""
+        ...
+
+    async def run_schedule(self, run: str, language: str, width_px: float) -> str | None:
+        """Return the schedule of a whole run as a picture."""
+        ...
+
+    async def graph_picture(self, language: str) -> str:
+        """Return what rests on what in the building now as a picture."""
+        ...
+
     async def graph(self) -> Document:
         """Return the construction relationship graph now."""
         ...

@@ -25,7 +25,7 @@ export function Card() {
   return (
     <section class="card" aria-label={say("card.label")}>
       <header>
-        <h3>{component.name}</h3>
+        <h2>{component.name}</h2>
         <button type="button" class="quiet" aria-label={say("card.close")} onClick={() => (selectedComponent.value = null)}>
           ✕
         </button>

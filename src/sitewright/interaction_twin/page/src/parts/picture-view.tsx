@@ -89,7 +89,7 @@ function Notice() {
     );
   }
   if (isRehearsed()) return <p class="over">{say(replayed.value === null ? "picture.preview" : "picture.replay")}</p>;
-  if (!isOld() || link.value === "lost" || link.value === "connecting") return null;
+  if (screen.value === "building" || !isOld() || link.value === "lost" || link.value === "connecting") return null;
   return <p class="over old">◷ {say("picture.stale", { seconds: age_s.value.toFixed(1) })}</p>;
 }
 

@@ -3,8 +3,8 @@ import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { setTime } from "../state/playing";
 import { ask, inLanguage } from "../state/server";
-import { mode, replayed, replayedBars } from "../state/store";
-import type { Bar, Proposal, RunEvent } from "../wire";
+import { mode, replayed } from "../state/store";
+import type { Proposal, RunEvent } from "../wire";
 import { atTime, say, sayWord } from "../words/words";
 
 interface RunLine {
@@ -25,7 +25,6 @@ export function RunsPanel() {
     ask<{ runs: RunLine[] }>("/api/runs").then((answer) => (lines.value = answer.runs), fail);
     return () => {
       replayed.value = null;
-      replayedBars.value = [];
       mode.value = "now";
     };
   }, []);
@@ -79,9 +78,8 @@ function Happened({ events }: { events: readonly RunEvent[] }) {
 }
 
 async function open(id: string): Promise<void> {
-  await ask<{ events: RunEvent[]; actual: Bar[] }>(inLanguage(`/api/runs/${id}`)).then((answer) => {
+  await ask<{ events: RunEvent[] }>(inLanguage(`/api/runs/${id}`)).then((answer) => {
     chosen.value = { id, events: answer.events };
-    replayedBars.value = answer.actual;
     void show(answer.events, 0);
   }, fail);
 }

@@ -1,12 +1,10 @@
 // The cell: picture, schedule, and beside them the plan, the components or the journal.
 import { Card } from "../parts/card";
-import { Gantt, type GanttBar } from "../parts/gantt";
+import { Gantt } from "../parts/gantt";
 import { PictureView } from "../parts/picture-view";
 import { PlanPanel } from "../parts/plan";
 import { Tree } from "../parts/tree";
-import { actual, barsOf } from "../state/schedule";
-import { events, panel, proposal, replayed, replayedBars, robotNumber, scene, screen } from "../state/store";
-import type { Proposal } from "../wire";
+import { events, panel, screen } from "../state/store";
 import { atTime, say } from "../words/words";
 import { BuildingPanel } from "./building";
 import { RunsPanel } from "./runs";
@@ -21,7 +19,7 @@ export function Workspace() {
       <div class="scene">
         <PictureView />
         <Card />
-        {name !== "building" && <Schedule />}
+        {name !== "building" && <Gantt />}
       </div>
       <aside class="side" aria-label={name === "cell" ? say(NAMES[panel.value]) : say(`nav.${name}`)}>
         {name === "cell" && <CellPanel />}
@@ -64,27 +62,4 @@ function Journal() {
       ))}
     </ol>
   );
-}
-
-function Schedule() {
-  const plan = replayed.value ?? proposal.value;
-  const robots = scene.value?.robots ?? [];
-  const bars = [...(plan === null ? [] : planned(plan)), ...(replayed.value === null ? actual.value : barsOf(replayed.value, replayedBars.value))];
-  return <Gantt bars={bars} robots={robots} end_s={Math.max(10, ...bars.map((b) => b.starts_s + b.duration_s))} />;
-}
-
-function planned(plan: Proposal): GanttBar[] {
-  return plan.steps
-    .filter((s) => s.duration_s > 0)
-    .map((s) => ({
-      key: `p${s.number}`,
-      robot: s.robot,
-      robotNumber: robotNumber(s.robot),
-      starts_s: s.starts_s,
-      duration_s: s.duration_s,
-      words: `${s.number}. ${s.robot_name} ${s.words}`,
-      step: s.number,
-      isActual: false,
-      isDone: s.is_done,
-    }));
 }

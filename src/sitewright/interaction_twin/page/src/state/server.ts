@@ -29,9 +29,17 @@ export async function ask<T>(path: string, { method = "GET", body, wait_ms = 800
 }
 
 export async function askBytes(path: string): Promise<ArrayBuffer> {
+  return (await answered(path)).arrayBuffer();
+}
+
+export async function askText(path: string): Promise<string> {
+  return (await answered(path)).text();
+}
+
+async function answered(path: string): Promise<Response> {
   const response = await fetched(path, "GET", undefined, 20000);
   if (!response.ok) throw new RefusedError(response.status, { error: "unreadable", message: `${path}: ${response.status}` });
-  return response.arrayBuffer();
+  return response;
 }
 
 /** Returns a path with the language in which sentences shall come back. */

@@ -3,7 +3,7 @@ import { computed, signal } from "@preact/signals";
 import type { Refused } from "../cell/clash";
 import type { Mode } from "../cell/picture";
 import type { Rehearsal } from "../preview/rehearsal";
-import type { Bar, NoProposal, Proposal, Refusal, RunEvent, RunState, Scene, Session, StepRecord } from "../wire";
+import type { NoProposal, Proposal, Refusal, RunEvent, RunState, Scene, Session, StepRecord } from "../wire";
 
 export type Screen = "cell" | "building" | "runs" | "audit" | "health";
 export type Link = "connecting" | "live" | "stale" | "lost";
@@ -43,8 +43,6 @@ export const time_s = signal(0);
 export const isPlaying = signal(false);
 /** A plan of an older run that is looked at in place of the open one. */
 export const replayed = signal<Proposal | null>(null);
-/** What ran in the run that is looked at. */
-export const replayedBars = signal<readonly Bar[]>([]);
 /** How many components stand on the building screen; null shows all. */
 export const standing = signal<number | null>(null);
 

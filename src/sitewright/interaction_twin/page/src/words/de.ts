@@ -138,9 +138,6 @@ export const de: Words = {
   "preview.failed": "Die Vorschau wird verweigert: {reason}",
 
   "gantt.label": "Zeitplan: geplant (Umriss) und wirklich (voll)",
-  "gantt.planned": "geplant",
-  "gantt.actual": "wirklich",
-  "gantt.empty": "Nichts ist geplant",
 
   "tree.title": "Bauteile",
   "tree.list": "Bauteile nach Ebenen",

@@ -137,9 +137,6 @@ export const en = {
   "preview.failed": "The preview is refused: {reason}",
 
   "gantt.label": "Schedule: planned (outline) and actual (solid)",
-  "gantt.planned": "planned",
-  "gantt.actual": "actual",
-  "gantt.empty": "Nothing is planned",
 
   "tree.title": "Components",
   "tree.list": "Components by layer",

@@ -138,9 +138,6 @@ export const es: Words = {
   "preview.failed": "La vista previa se niega: {reason}",
 
   "gantt.label": "Horario: planificado (contorno) y real (lleno)",
-  "gantt.planned": "planificado",
-  "gantt.actual": "real",
-  "gantt.empty": "No hay nada planificado",
 
   "tree.title": "Componentes",
   "tree.list": "Componentes por capa",

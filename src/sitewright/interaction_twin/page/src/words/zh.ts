@@ -138,9 +138,6 @@ export const zh: Words = {
   "preview.failed": "拒绝预演：{reason}",
 
   "gantt.label": "进度：计划（轮廓）与实际（实心）",
-  "gantt.planned": "计划",
-  "gantt.actual": "实际",
-  "gantt.empty": "没有计划",
 
   "tree.title": "构件",
   "tree.list": "按图层排列的构件",

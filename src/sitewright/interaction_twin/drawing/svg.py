@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from html import escape
 
+from sitewright.interaction_twin.drawing.palette import INK
+
 Attribute = str | float | int
 
 FONT = "system-ui, 'DejaVu Sans', sans-serif"
@@ -33,7 +35,7 @@ def _value(value: Attribute) -> str:
 
 def text(words: str, x: float, y: float, /, **attributes: Attribute) -> str:
     """Return a text element at a place."""
-    style: dict[str, Attribute] = {"font_size": 12, "fill": "#1c2733", **attributes}
+    style: dict[str, Attribute] = {"font_size": 12, "fill": INK, **attributes}
     return element("text", escape(words, quote=False), x=x, y=y, **style)
 
 
@@ -42,13 +44,21 @@ def tooltip(words: str) -> str:
     return f"<title>{escape(words, quote=False)}</title>"
 
 
-def picture(width: float, height: float, title: str, parts: Iterable[str]) -> str:
+def picture(
+    width: float, height: float, title: str, parts: Iterable[str], /, **attributes: Attribute
+) -> str:
     """Return a whole SVG document that scales to the width it is given."""
-    size = f"0 0 {_value(float(width))} {_value(float(height))}"
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{size}" '
-        f'width="{_value(float(width))}" height="{_value(float(height))}" '
-        f'role="img" font-family="{FONT}">{tooltip(title)}{"".join(parts)}</svg>'
+    across, down = float(width), float(height)
+    return element(
+        "svg",
+        tooltip(title) + "".join(parts),
+        xmlns="http://www.w3.org/2000/svg",
+        viewBox=f"0 0 {_value(across)} {_value(down)}",
+        width=across,
+        height=down,
+        role="img",
+        font_family=FONT,
+        **attributes,
     )
 
 
