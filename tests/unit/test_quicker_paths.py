@@ -27,7 +27,9 @@ SEARCH: SearchScene = SearchScenes(ProofScenes()).of(SCENE, MARGIN_M, (A,))
 
 
 def space() -> SearchSpace:
-    return SearchSpace(SEARCH, SCENE, (A,), STEP_RAD)
+    joints = SCENE.robots[A].description.movable_joints
+    limits = tuple(j.lower_rad for j in joints), tuple(j.upper_rad for j in joints)
+    return SearchSpace(SEARCH, SCENE, {A: limits}, STEP_RAD)
 
 
 def seconds(path: list[Array]) -> float:

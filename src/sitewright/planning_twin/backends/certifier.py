@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 from typing_extensions import override
 
+from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.backends.advancement import Advancement, TooNear
 from sitewright.planning_twin.backends.distances import EPS_M, DistanceEngine, lower_bounds
 from sitewright.planning_twin.backends.path_lines import PathLines, lines_of
 from sitewright.planning_twin.backends.proof_scene import ProofScene, ProofScenes
+from sitewright.planning_twin.backends.surroundings import whole
 from sitewright.planning_twin.backends.team_pairs import tables_of
 from sitewright.planning_twin.moment import by_robot, moment_of
 from sitewright.planning_twin.motion import Certificate, Certifier, JointPath, TeamPath
 from sitewright.planning_twin.refusal import NotClear
 from sitewright.planning_twin.scene import SceneSnapshot
+from sitewright.robot_team.description import Joints
 
 STANDING_SHARE = 0.5
 """Pairs that the motion leaves alone must keep this share of the clearance."""
@@ -31,6 +35,9 @@ class ConservativeAdvancement(Certifier):
     Pairs that the path does not move were certified by the motion that brought them there, and
     sensed postures never repeat to the bit; they are looked at once and must keep half of the
     clearance, or their own threshold where they are declared.
+
+    Bodies that no arm can come near to with its rails where this path has them are proven far
+    away by lengths alone (see `SceneParts`), with all their pairs.
     """
 
     def __init__(self, scenes: ProofScenes, *, is_strict: bool = False) -> None:
@@ -39,12 +46,20 @@ class ConservativeAdvancement(Certifier):
 
     @override
     def certify(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> Certificate | NotClear:
-        proof = self._scenes.of(scene)
-        search = self._proven(proof, path)
+        part = self._scenes.around(scene, _postures(scene, path))
+        search = self._proven(self._scenes.of(part.scene), path)
         if isinstance(search, NotClear):
             return _with_moment(scene, path, search)
         closest = search.closest()
-        moving, standing_pairs = tables_of(proof.layout, path.robots)
+        if closest.distance_m > part.beyond_m:
+            # something that is left out might be nearer than that
+            part = whole(scene)
+            search = self._proven(self._scenes.of(scene), path)
+            if isinstance(search, NotClear):
+                return _with_moment(scene, path, search)
+            closest = search.closest()
+        layout = self._scenes.of(part.scene).layout
+        near = sum(len(table.names) for table in tables_of(layout, path.robots))
         return Certificate(
             scene_revision=self._scenes.revision(scene),
             path_sha256=path.sha256(),
@@ -53,14 +68,15 @@ class ConservativeAdvancement(Certifier):
             closest_pair=closest.pair,
             closest_at=closest.at,
             eps_m=EPS_M,
-            pairs=len(moving.names) + len(standing_pairs.names),
+            pairs=near + part.left_out * layout.movable,
             evaluations=search.evaluations,
             engine=f"{self._engine.name}{', strict' if self._engine.is_strict else ''}",
         )
 
     @override
     def objection(self, scene: SceneSnapshot, path: JointPath | TeamPath) -> NotClear | None:
-        found = self._proven(self._scenes.of(scene), path)
+        part = self._scenes.around(scene, _postures(scene, path))
+        found = self._proven(self._scenes.of(part.scene), path)
         return _with_moment(scene, path, found) if isinstance(found, NotClear) else None
 
     def _proven(self, proof: ProofScene, path: JointPath | TeamPath) -> Advancement | NotClear:
@@ -101,6 +117,13 @@ class ConservativeAdvancement(Certifier):
 def _with_moment(scene: SceneSnapshot, path: JointPath | TeamPath, found: NotClear) -> NotClear:
     moved = by_robot(scene, path.robots, found.q_rad)
     return replace(found, moment=moment_of(scene, moved, found.pair))
+
+
+def _postures(scene: SceneSnapshot, path: JointPath | TeamPath) -> Mapping[RobotId, list[Joints]]:
+    """Return the corners of the path, robot by robot."""
+    waypoints = [q for segment in path.segments for q in segment.waypoints_rad]
+    whose = [by_robot(scene, path.robots, q) for q in waypoints]
+    return {robot: [q[robot] for q in whose] for robot in path.robots}
 
 
 def _not_clear(lines: PathLines, found: TooNear) -> NotClear:

@@ -46,6 +46,18 @@ class CoalCollisionCheck(CollisionCheck):
         *,
         is_padded: bool = False,
     ) -> bool:
+        scene = self._scenes.around(scene, {robot: (q_rad,)}).scene
+        return self._is_clear(scene, robot, q_rad, threshold_m, is_padded=is_padded)
+
+    def _is_clear(
+        self,
+        scene: SceneSnapshot,
+        robot: RobotId,
+        q_rad: Joints,
+        threshold_m: Mapping[Pair, float],
+        *,
+        is_padded: bool,
+    ) -> bool:
         clearance_m, needs_m = self._needed(scene, threshold_m, is_padded=is_padded)
         if any(least_m > clearance_m for least_m in needs_m.values()):
             return not self._measured(scene, robot, q_rad, clearance_m, needs_m)
@@ -63,7 +75,8 @@ class CoalCollisionCheck(CollisionCheck):
         *,
         is_padded: bool = False,
     ) -> tuple[Pair, ...]:
-        if self.is_clear(scene, robot, q_rad, threshold_m, is_padded=is_padded):
+        scene = self._scenes.around(scene, {robot: (q_rad,)}).scene
+        if self._is_clear(scene, robot, q_rad, threshold_m, is_padded=is_padded):
             return ()
         needed = self._needed(scene, threshold_m, is_padded=is_padded)
         return self._measured(scene, robot, q_rad, *needed)

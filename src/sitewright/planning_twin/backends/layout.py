@@ -25,6 +25,7 @@ class Layout:
         rows_of: Rows of the parts that each robot carries, its base link included.
         pairs_of: Pairs that each robot's joints change.
         standing_of: Pairs that count and that its joints do not change.
+        movable: How many things with a shape can move: links and what is carried.
         teams: Both tables for robots that move in step, made when first asked for.
     """
 
@@ -37,6 +38,7 @@ class Layout:
     joint_T_part_of: Mapping[RobotId, Array]
     pairs_of: Mapping[RobotId, PairTable]
     standing_of: Mapping[RobotId, PairTable]
+    movable: int
     teams: dict[tuple[RobotId, ...], tuple[PairTable, PairTable]] = field(default_factory=dict)
 
 
@@ -60,6 +62,7 @@ def laid_out(scene: SceneSnapshot, arms: Mapping[RobotId, ArmModel]) -> Layout:
         joint_T_part_of={r: frames[k] for r, k in rows_of.items()},
         pairs_of={r: t[0] for r, t in tables.items()},
         standing_of={r: t[1] for r, t in tables.items()},
+        movable=sum(1 for thing in things if thing.joint != BASE),
     )
 
 

@@ -26,7 +26,8 @@ class MujocoCrossCheck(CrossCheck):
     """Samples the trajectory and compares every pair within the clearance with its threshold.
 
     It shares with the proof what a scene is and which pairs count; kinematics and distances are
-    MuJoCo's own. Its closest distance is at most the clearance: it does not see further.
+    MuJoCo's own. Bodies that no arm comes near to are left out as in the proof. Its closest
+    distance is at most the clearance: it does not see further.
     """
 
     def __init__(self, proofs: ProofScenes) -> None:
@@ -37,10 +38,11 @@ class MujocoCrossCheck(CrossCheck):
     def check(self, scene: SceneSnapshot, timed: TimedPath) -> Agreement | Disagreement:
         import mujoco
 
-        cell = self._cells.of(scene)
         robot = timed.path.robot
         times = sample_times(timed.trajectory, step_s=_STEP_S, step_rad=_STEP_RAD)
         postures = positions_at(timed.trajectory, times)
+        reach = (postures.min(axis=0).tolist(), postures.max(axis=0).tolist())
+        cell = self._cells.of(self._proofs.around(scene, {robot: reach}).scene)
         segments = np.minimum(
             np.searchsorted(np.array(timed.segment_ends_s), times, side="left"),
             len(timed.path.segments) - 1,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import count
@@ -20,12 +20,13 @@ from sitewright.planning_twin.backends.kinematic_chain import Array, matrix_of
 from sitewright.planning_twin.backends.layout import Layout, attachment, laid_out
 from sitewright.planning_twin.backends.placed_parts import PlacedParts
 from sitewright.planning_twin.backends.remembered import Remembered
+from sitewright.planning_twin.backends.surroundings import SceneParts, Surroundings
 from sitewright.planning_twin.scene import Body, SceneSnapshot
 from sitewright.robot_team.description import Description
 
 _ARMS_REMEMBERED = 16
 _LAYOUTS_REMEMBERED = 64
-_SCENES_REMEMBERED = 32
+_SCENES_REMEMBERED = 96
 _SHAPES_REMEMBERED = 4096
 
 
@@ -74,6 +75,7 @@ class ProofScenes:
     def __init__(self) -> None:
         self._revision_of = IdentityCache(SceneSnapshot.revision, size=_SCENES_REMEMBERED)
         self._scene_of = IdentityCache(self._compile, size=_SCENES_REMEMBERED)
+        self._parts = SceneParts()
         self._arm_of = IdentityCache(arm_model, size=_ARMS_REMEMBERED)
         self._layouts: Remembered[Layout] = Remembered(size=_LAYOUTS_REMEMBERED)
         self._frames: Remembered[Array] = Remembered(size=_SHAPES_REMEMBERED)
@@ -82,6 +84,12 @@ class ProofScenes:
     def of(self, scene: SceneSnapshot) -> ProofScene:
         """Return the compiled scene."""
         return self._scene_of(scene)
+
+    def around(
+        self, scene: SceneSnapshot, moved: Mapping[RobotId, Iterable[Sequence[float]]]
+    ) -> Surroundings:
+        """Return the part of a scene that matters while some robots move (see `SceneParts`)."""
+        return self._parts.around(scene, moved)
 
     def revision(self, scene: SceneSnapshot) -> str:
         """Return the scene's revision; hashing takes longer than many proofs."""

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.backends.collision_check import CoalCollisionCheck
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.search_scene import SearchScene
-from sitewright.planning_twin.backends.search_space import SearchSpace
+from sitewright.planning_twin.backends.search_space import Bounds, SearchSpace
 from sitewright.planning_twin.backends.team_pairs import tables_of
 from sitewright.planning_twin.moment import by_robot, moment_of
 from sitewright.planning_twin.motion import MotionRequest
@@ -74,6 +75,7 @@ class EndsCheck:
         request: MotionRequest,
         ends: SearchEnds,
         pad_m: float,
+        bounds: Mapping[RobotId, Bounds],
     ) -> SearchQuestion:
         """Return the scene as a search needs it.
 
@@ -98,7 +100,7 @@ class EndsCheck:
         search.leave_out(off | near)
         return SearchQuestion(
             search=search,
-            space=SearchSpace(search, scene, request.robots, request.step_rad),
+            space=SearchSpace(search, scene, bounds, request.step_rad),
             ends=ends,
             left_out=frozenset(off | near),
             near=frozenset(near),

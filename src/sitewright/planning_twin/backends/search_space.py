@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -10,12 +10,17 @@ from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.search_scene import SearchScene
 from sitewright.planning_twin.scene import SceneSnapshot
+from sitewright.robot_team.description import Joints
 
 _TIP_STEP_M = 0.02
 """Along so much of a straight line of the tip, a line in joint space strays by under 0.1 mm."""
 _DAMPED = 1e-4**2 * np.eye(6)
 _FASTEST_TURN_RAD = 0.12
 """A joint that would turn further on one step is near a singular posture."""
+
+
+Bounds = tuple[Joints, Joints]
+"""Lowest and highest position of each joint of a robot."""
 
 
 class SearchSpace:
@@ -32,9 +37,18 @@ class SearchSpace:
         self,
         search: SearchScene,
         scene: SceneSnapshot,
-        robots: tuple[RobotId, ...],
+        bounds: Mapping[RobotId, Bounds],
         step_rad: float,
     ) -> None:
+        """Look at some robots in a scene.
+
+        Args:
+            search: The padded scene.
+            scene: Where all others stand.
+            bounds: Who moves, and how far each joint may go.
+            step_rad: Between two postures that are looked at on a line.
+        """
+        robots = tuple(bounds)
         self._search = search
         self._step_rad = step_rad
         self._full = search.posture({})
@@ -42,8 +56,8 @@ class SearchSpace:
         self._robots = robots
         self._counts = [len(search.columns_of(r)) for r in robots]
         joints = [j for r in robots for j in scene.robots[r].description.movable_joints]
-        self.lower = np.array([j.lower_rad for j in joints])
-        self.upper = np.array([j.upper_rad for j in joints])
+        self.lower = np.array([v for low, _ in bounds.values() for v in low])
+        self.upper = np.array([v for _, high in bounds.values() for v in high])
         speed = np.array([j.velocity_rad_s or 1.0 for j in joints])
         self._speed = speed
         self.weights = speed.min() / speed

@@ -7,20 +7,26 @@ from dataclasses import replace
 import numpy as np
 from typing_extensions import override
 
+from sitewright.foundation.ids import RobotId
 from sitewright.planning_twin.backends.certifier import ConservativeAdvancement
 from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.pad_exit import way_out_of_pads
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.search_ends import EndsCheck, SearchEnds, SearchQuestion
 from sitewright.planning_twin.backends.search_scene import SearchScenes
+from sitewright.planning_twin.backends.search_space import Bounds
 from sitewright.planning_twin.backends.shortcuts import quicker
 from sitewright.planning_twin.backends.tree_search import found_path
+from sitewright.planning_twin.moment import by_robot
 from sitewright.planning_twin.motion import MotionPlanner, MotionRequest, PathSegment
 from sitewright.planning_twin.refusal import BlockedBy, NoPath
 from sitewright.planning_twin.scene import SceneSnapshot
 from sitewright.robot_team.description import Joints
+from sitewright.robot_team.waiting import rails_of
 
 _PAD_RESERVE_M = 0.0005
+_ALONG_M = 4.0
+"""Rails may go so far beyond both ends of a motion."""
 _LINES_PER_NODE = 4
 """A node of the budget pays for so many lines, whether they are free or not."""
 
@@ -35,6 +41,7 @@ class TwoTrees(MotionPlanner):
     """
 
     def __init__(self, proofs: ProofScenes) -> None:
+        self._proofs = proofs
         self._scenes = SearchScenes(proofs)
         self._ends = EndsCheck(proofs)
         self._proof = ConservativeAdvancement(proofs)
@@ -58,8 +65,27 @@ class TwoTrees(MotionPlanner):
         pad_m = request.pad_m
         if pad_m is None:
             pad_m = scene.clearance_m / 2.0 + _PAD_RESERVE_M
+        bounds = self._bounds(scene, request, ends)
+        scene = self._proofs.around(scene, bounds).scene
         search = self._scenes.of(scene, 2.0 * pad_m, request.robots)
-        return self._ends.question(scene, search, request, ends, pad_m)
+        return self._ends.question(scene, search, request, ends, pad_m, bounds)
+
+    def _bounds(
+        self, scene: SceneSnapshot, request: MotionRequest, ends: SearchEnds
+    ) -> dict[RobotId, Bounds]:
+        """Return the limits of the joints of each robot that moves; rails stay near the ends."""
+        found: dict[RobotId, Bounds] = {}
+        postures = [by_robot(scene, request.robots, q) for q in (ends.start, *ends.goals)]
+        for robot in request.robots:
+            description = scene.robots[robot].description
+            joints = description.movable_joints
+            low, high = ([j.lower_rad for j in joints], [j.upper_rad for j in joints])
+            for k in range(rails_of(description)):
+                at_m = [q[robot][k] for q in postures]
+                low[k] = max(low[k], min(at_m) - _ALONG_M)
+                high[k] = min(high[k], max(at_m) + _ALONG_M)
+            found[robot] = (tuple(low), tuple(high))
+        return found
 
     def _path_out_of_pads(
         self, scene: SceneSnapshot, question: SearchQuestion, request: MotionRequest, seed: int
