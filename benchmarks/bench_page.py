@@ -9,22 +9,17 @@ read the script's time, not the picture's.
 
 from __future__ import annotations
 
-import json
 import statistics
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))  # its server and browser
 
-from playwright.sync_api import Route
-
-from builders_page import READY, Seen, ServedProject, browser, look
+from builders_page import READY, Seen, ServedProject, browser, filled_up, look
 from sitewright.app.project import new_project
 
 FRAMES = 60
-_ROW = 40
 _TURN = """frames => new Promise((done) => {
   __m.costs.length = 0;
   const canvas = document.querySelector('canvas');
@@ -60,13 +55,8 @@ def main(counts: list[int]) -> None:
 def _costs(seen: Seen, count: int) -> str:
     page = seen.page
 
-    def fill(route: Route) -> None:
-        scene = route.fetch().json()
-        _fill_up(scene, count)
-        route.fulfill(body=json.dumps(scene), content_type="application/json")
-
     page.unroute("**/api/scene")
-    page.route("**/api/scene", fill)
+    page.route("**/api/scene", filled_up(count))
     page.goto(f"{seen.served.origin}/?dpr=1")
     page.wait_for_function(READY, timeout=60_000)
     page.evaluate(_TURN, FRAMES)
@@ -78,17 +68,6 @@ def _costs(seen: Seen, count: int) -> str:
         f"{robots} robots, {count} components: JavaScript {middle:.1f} ms a picture "
         f"(95 % below {worst:.1f} ms), {calls} draw calls, {len(costs)} pictures"
     )
-
-
-def _fill_up(scene: dict[str, Any], count: int) -> None:
-    own = [c for c in scene["components"] if c["geometry"] is not None]
-    while len(scene["components"]) < count:
-        number = len(scene["components"])
-        copy = dict(own[number % len(own)])
-        place = [(number % _ROW) * 0.2 - 4.0, (number // _ROW) * 0.2 - 3.0, 0.5]
-        copy |= {"id": f"copy-{number}", "world_T": {**copy["world_T"], "p_m": place}}
-        scene["components"].append(copy)
-    scene["hash"] += f"-{count}"
 
 
 if __name__ == "__main__":

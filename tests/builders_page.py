@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import signal
@@ -15,7 +16,7 @@ from pathlib import Path
 from typing import Any, Self
 
 import pytest
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Page, Route, expect, sync_playwright
 from playwright.sync_api import TimeoutError as TooLate
 
 from sitewright.app.project import new_project
@@ -27,6 +28,7 @@ READY = "() => Boolean(window.__m?.marks.first && window.__m.marks.ui)"
 SIZES = {390: 844, 820: 1180, 1280: 800}
 _MAIN = "from sitewright.cli.main import main; main()"
 _SOFTWARE_GL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+_ROW = 40
 _PATIENCE, _SENT_MS = 5, 4_000
 _NOISE = "GPU stall due to ReadPixels"
 
@@ -194,6 +196,23 @@ class Seen:
                 return state
             self.page.wait_for_timeout(50)
         raise AssertionError(state)
+
+
+def filled_up(count: int) -> Callable[[Route], None]:
+    """Return a route handler that fills the scene up with pieces of its own shapes."""
+
+    def fill(route: Route) -> None:
+        scene = route.fetch().json()
+        own = [c for c in scene["components"] if c["geometry"] is not None]
+        for number in range(len(scene["components"]), count):
+            copy = dict(own[number % len(own)])
+            place = [(number % _ROW) * 0.2 - 4.0, (number // _ROW) * 0.2 - 3.0, 0.5]
+            copy |= {"id": f"copy-{number}", "world_T": {**copy["world_T"], "p_m": place}}
+            scene["components"].append(copy)
+        scene["hash"] += f"-{count}"
+        route.fulfill(body=json.dumps(scene), content_type="application/json")
+
+    return fill
 
 
 @contextmanager

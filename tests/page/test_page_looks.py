@@ -11,12 +11,14 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Route, expect
 
-from builders_page import READY, SIZES, WAIT_MS, Seen, ServedProject, browser, look
+from builders_page import READY, SIZES, WAIT_MS, Seen, ServedProject, browser, filled_up, look
 
 ROOT = Path(__file__).parents[2]
 AXE = ROOT / "src/sitewright/interaction_twin/page/node_modules/axe-core/axe.min.js"
 HOLD = {"en": "Hold", "de": "Anhalten", "es": "Detener", "zh": "暂停"}
 SCREENS = ("Cell", "Building", "Runs", "Audit", "Health")
+_STYLE = "element => ({ ...getComputedStyle(element) })"
+_WHERE = "() => __app.project('stud-2')"
 PICTURES = os.environ.get("SITEWRIGHT_PICTURES", "")
 
 
@@ -47,6 +49,7 @@ def opened(chromium: Browser, served: ServedProject) -> Seen:
 def seen(opened: Seen) -> Iterator[Seen]:
     """Give the page back as it was at the start, and see that it complained of nothing."""
     opened.page.set_viewport_size({"width": 1280, "height": 800})
+    opened.page.emulate_media(forced_colors="none")
     yield opened
     complaints, opened.complaints[:] = list(opened.complaints), []
     assert complaints == []
@@ -215,14 +218,19 @@ def test_the_page_speaks_the_language_that_is_chosen(seen: Seen, language: str) 
 
 
 @pytest.mark.parametrize("width", SIZES)
-@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.parametrize(("language", "way"), [("en", "ltr"), ("de", "ltr"), ("en", "rtl")])
 def test_decisions_are_in_view_and_nothing_is_clipped(
-    seen: Seen, width: int, language: str
+    seen: Seen, width: int, language: str, way: str
 ) -> None:
     page = seen.page
     page.set_viewport_size({"width": width, "height": SIZES[width]})
     page.select_option(".language select", language)
+    page.evaluate("way => { document.documentElement.dir = way }", way)
     expect(page.locator(".hold b")).to_have_text(HOLD[language])
+    hold, main = (page.locator(s).bounding_box() for s in (".hold", ".approve.main"))
+    assert hold is not None
+    assert main is not None
+    assert (hold["x"] < main["x"]) == (way == "ltr")
     for selector in (".hold", *(f".acts > button >> nth={n}" for n in range(5))):
         box = page.locator(selector).bounding_box()
         assert box is not None
@@ -244,6 +252,77 @@ def test_decisions_are_in_view_and_nothing_is_clipped(
       .map((b) => b.textContent)"""
     assert page.evaluate(cut) == []
     page.select_option(".language select", "en")
+    page.evaluate("() => { document.documentElement.dir = 'ltr' }")
+
+
+def test_what_is_chosen_and_what_may_be_pressed_is_seen_in_forced_colours(seen: Seen) -> None:
+    page = seen.page
+    page.click(".step >> nth=1 >> .row")
+    page.emulate_media(forced_colors="active")
+    for marked in (".step.selected", "nav button[aria-current]", ".modes [aria-pressed=true]"):
+        assert page.eval_on_selector(marked, _STYLE)["outlineStyle"] == "solid", marked
+        assert page.eval_on_selector(marked, _STYLE)["outlineWidth"] == "2px", marked
+    assert page.eval_on_selector(".step:not(.selected)", _STYLE)["outlineStyle"] == "none"
+    for pressed in (".hold", ".approve.main", ".acts > button >> nth=0"):
+        style = page.locator(pressed).evaluate(_STYLE)
+        assert style["borderTopStyle"] == "solid", pressed
+        assert style["color"] != style["backgroundColor"], pressed
+    rgb = page.eval_on_selector(".chip .dot", _STYLE)["backgroundColor"]
+    assert rgb == "rgb(53, 147, 90)"  # live is still told by its green
+
+
+def test_fingers_turn_zoom_and_name_what_they_tap(chromium: Browser, opened: Seen) -> None:
+    tablet = look(chromium, opened.served, width=820, has_touch=True)
+    page = tablet.page
+    page.context.add_cookies(opened.page.context.cookies())  # type: ignore[arg-type]
+    page.goto(f"{opened.served.origin}/?dpr=0.5")
+    page.wait_for_function(READY, timeout=WAIT_MS)
+    page.click(".views .opener")
+    page.click(".views .menu button >> nth=1")
+    box = page.locator("canvas").bounding_box()
+    assert box is not None
+    place = page.evaluate(_WHERE)
+    page.touchscreen.tap(box["x"] + place["x"], box["y"] + place["y"])
+    expect(page.locator(".card h2")).to_have_text("Transverse stud 2")
+    page.locator(".card header button").tap()
+    expect(page.locator(".card")).to_have_count(0)
+    middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    for fingers in (1, 2):
+        before = page.evaluate(_WHERE)
+        _drag(page, middle, fingers)
+        page.wait_for_function(f"old => Math.abs(({_WHERE})().x - old.x) > 2", arg=before)
+    expect(page.locator(".card")).to_have_count(0)  # a drag is no tap
+    assert tablet.complaints == []
+    page.context.close()
+
+
+def _drag(page: Any, start: tuple[float, float], fingers: int) -> None:
+    """Draw one finger along, or two apart, as a touch screen reports it."""
+    screen = page.context.new_cdp_session(page)
+
+    def touches(way: float) -> list[dict[str, float]]:
+        x, y = start
+        both = [{"x": x + way, "y": y, "id": 0}, {"x": x - 40 - way, "y": y, "id": 1}]
+        return both[:fingers]
+
+    screen.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": touches(0)})
+    for way in (10, 30, 60, 90):
+        moved = {"type": "touchMove", "touchPoints": touches(way)}
+        screen.send("Input.dispatchTouchEvent", moved)
+    screen.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    screen.detach()
+
+
+def test_a_thousand_components_take_few_draw_calls(seen: Seen) -> None:
+    page = seen.page.context.new_page()
+    page.set_viewport_size({"width": 640, "height": 480})
+    page.route("**/api/scene", filled_up(1_000))
+    page.goto(f"{seen.served.origin}/?dpr=0.5&freeze=1")
+    page.wait_for_function(READY, timeout=WAIT_MS)
+    assert page.evaluate("() => __m.cost.calls") < 150
+    place = page.evaluate("() => __app.project('copy-999')")
+    assert place is not None  # they are there
+    page.close()
 
 
 @pytest.mark.parametrize("width", [1280, 390])
