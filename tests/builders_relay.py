@@ -41,14 +41,15 @@ grips_m = [0.030, 0.140]
 opens_to_m = 0.170
 """
 _PLACES = """
-[[station]]
-id = "between"
-kind = "buffer"
-world_T_station = {{ p_m = [{buffer_x}, {buffer_y}, 0.30]{turn} }}
-
 [[stock_place]]
 id = "pallet-thick"
 world_T_stock = {{ p_m = [{stock_x}, 0.0, 0.30]{turn} }}
+"""
+_BUFFER = """
+[[station]]
+id = "{id}"
+kind = "buffer"
+world_T_station = {{ p_m = [{x}, {y}, 0.30]{turn} }}
 """
 _ACROSS = ", q_wxyz = [0.7071067812, 0, 0, 0.7071067812]"
 
@@ -64,13 +65,15 @@ class Relay:
 
     Attributes:
         arms: Name and base of each robot.
+        buffers: Where it may be laid down between; the first is called ``between``, others
+            ``between-2`` and so on.
         is_across: The beam lies along y, else along x, everywhere.
     """
 
     arms: tuple[tuple[str, float, float], ...]
     stock_x: float
     target_x: float
-    buffer: tuple[float, float]
+    buffers: tuple[tuple[float, float], ...]
     is_across: bool
 
     def write(self, folder: Path) -> Path:
@@ -90,7 +93,6 @@ class Relay:
         return {**frame, "components": [beam], "stacks": stacks}
 
     def _cell(self) -> str:
-        x, y = self.buffer
         turn = _ACROSS if self.is_across else ""
         stand = [0.30, 2.50, 0.32] if self.is_across else [2.50, 0.30, 0.32]
         table = [*stand[:2], 0.42]
@@ -98,27 +100,41 @@ class Relay:
             "floor": ([16.0, 9.0, 0.10], [0.0, 0.0, -0.07]),
             "table": (table, [self.target_x, 0.0, 0.19]),
             "stock-stand": (stand, [self.stock_x, 0.0, 0.14]),
-            "buffer-stand": (stand, [x, y, 0.14]),
         }
+        named = [(_number("between", k), x, y) for k, (x, y) in enumerate(self.buffers, start=1)]
+        fixtures |= {f"stand-{name}": (stand, [x, y, 0.14]) for name, x, y in named}
         return "".join(
             (
                 _CELL.format(target_x=self.target_x),
                 *(fixture_text(i, s, p) for i, (s, p) in fixtures.items()),
                 *(_ROBOT.format(name=name, x=bx, y=by) for name, bx, by in self.arms),
-                _PLACES.format(stock_x=self.stock_x, buffer_x=x, buffer_y=y, turn=turn),
+                *(_BUFFER.format(id=name, x=x, y=y, turn=turn) for name, x, y in named),
+                _PLACES.format(stock_x=self.stock_x, turn=turn),
             )
         )
+
+
+def _number(name: str, number: int) -> str:
+    return name if number == 1 else f"{name}-{number}"
 
 
 HAND_OVER = Relay(
     arms=(("a", -2.1, 0.0), ("b", 1.8, 0.0)),
     stock_x=-3.9,
     target_x=3.4,
-    buffer=(0.0, 0.0),
+    buffers=((0.0, 0.0),),
     is_across=True,
 )
 """Only arm a reaches the stock, only arm b the target, both the buffer."""
 REGRASP = Relay(
-    arms=(("a", 0.0, 0.0),), stock_x=-2.75, target_x=2.75, buffer=(0.0, 1.7), is_across=False
+    arms=(("a", 0.0, 0.0),), stock_x=-2.75, target_x=2.75, buffers=((0.0, 1.7),), is_across=False
 )
 """One arm reaches the beam in stock at one end only, and has to hold the other at the target."""
+CHAIN = Relay(
+    arms=(("a", -2.1, 0.0), ("c", 1.8, 0.0), ("b", 5.4, 0.0)),
+    stock_x=-3.9,
+    target_x=7.0,
+    buffers=((0.0, 0.0), (3.6, 0.0)),
+    is_across=True,
+)
+"""Arm a reaches the stock and one buffer, arm c both buffers, arm b the other and the target."""

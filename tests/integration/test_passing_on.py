@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from builders_relay import HAND_OVER, REGRASP, Relay, fixture_text
+from builders_relay import CHAIN, HAND_OVER, REGRASP, Relay, fixture_text
 from builders_site import RealSite, check_journal_against_physics
 from sitewright.app.planning import PlanReport, plan_project
 from sitewright.app.project import open_project
@@ -58,6 +58,33 @@ def test_a_beam_goes_by_way_of_the_buffer_and_the_proposal_says_so(
     assert any(line.endswith(f"instead: {words}") for line in plan_lines(view))
 
 
+def test_three_arms_pass_a_beam_on_over_two_buffers(tmp_path: Path) -> None:
+    report = planned(CHAIN, tmp_path / "p")
+    assert handling(report) == [
+        (Skill.GRASP, "arm-a", "pallet-thick"),
+        (Skill.SET_DOWN, "arm-a", "between"),
+        (Skill.GRASP, "arm-c", "between"),
+        (Skill.SET_DOWN, "arm-c", "between-2"),
+        (Skill.GRASP, "arm-b", "between-2"),
+        (Skill.POSITION, "arm-b", "support-1"),
+        (Skill.RELEASE, "arm-b", "support-1"),
+    ]
+    words = "arm-a lays it down at between, arm-c takes it from there to between-2, where"
+    assert f"{words} arm-b takes it" in {note.then for note in report.refusals}
+    motions = [m for step in report.planned[0].proposal.steps for m in step.motions]
+    assert motions
+    assert all(m.certificate.closest_distance_m > 0.0 for m in motions)
+
+
+@pytest.mark.parametrize("missing", [0, 1])
+def test_a_chain_without_one_of_its_buffers_is_proven_impossible(
+    tmp_path: Path, missing: int
+) -> None:
+    left = tuple(b for k, b in enumerate(CHAIN.buffers) if k != missing)
+    (refused,) = planned(replace(CHAIN, buffers=left), tmp_path / "p").escalated
+    assert refused.is_proven
+
+
 def test_without_a_place_between_the_refusal_is_a_proof(tmp_path: Path) -> None:
     """Each arm alone is out of reach of one end for certain, and there is no place between."""
     folder = HAND_OVER.write(tmp_path / "p")
@@ -89,8 +116,12 @@ def test_a_chain_that_only_something_in_the_way_breaks_is_no_proof(tmp_path: Pat
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("relay", "grippers"),
-    [(HAND_OVER, {"arm-a", "arm-b"}), (REGRASP, {"arm-a"})],
-    ids=["hand-over", "regrasp"],
+    [
+        (HAND_OVER, {"arm-a", "arm-b"}),
+        (REGRASP, {"arm-a"}),
+        (CHAIN, {"arm-a", "arm-b", "arm-c"}),
+    ],
+    ids=["hand-over", "regrasp", "chain"],
 )
 def test_a_beam_that_is_passed_on_is_built_in_simulation(
     tmp_path: Path, relay: Relay, grippers: set[str]
@@ -103,7 +134,7 @@ def test_a_beam_that_is_passed_on_is_built_in_simulation(
         assert ended.document["targets_installed"] == ended.document["targets_total"] == 1
         assert ended.document["unallowed_contacts"] == 0
         assert {e["robot"] for e in site.physical("gripped")} == grippers
-        assert len(site.physical("gripped")) == 2
+        assert len(site.physical("gripped")) == len(relay.buffers) + 1
         check_journal_against_physics(site, nails=0)
     finally:
         site.clean_up()

@@ -36,7 +36,7 @@ def relay(rng: np.random.Generator) -> Relay:
         arms=(("a", round(float(a), 3), 1.9), ("b", round(float(b), 3), -1.9)),
         stock_x=stock_x,
         target_x=round(float(target_x), 3),
-        buffer=(round(float(middle_x), 3), 0.0),
+        buffers=((round(float(middle_x), 3), 0.0),),
         is_across=True,
     )
 

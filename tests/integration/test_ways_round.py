@@ -81,7 +81,7 @@ def test_a_stack_that_is_too_far_may_be_moved_nearer_if_that_is_enough(
     tmp_path: Path, stock_x: float, *, helps: bool
 ) -> None:
     relay = replace(
-        HAND_OVER, arms=(("a", 0.0, 0.0),), stock_x=stock_x, target_x=1.7, buffer=(6.0, 1.7)
+        HAND_OVER, arms=(("a", 0.0, 0.0),), stock_x=stock_x, target_x=1.7, buffers=((6.0, 1.7),)
     )
     told = words(plan_project(open_project(relay.write(tmp_path / "p"))))
     assert told == (["move the stack at pallet-thick by 0.6 m towards arm-a"] if helps else [])

@@ -6,17 +6,21 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from sitewright.central_controller.choosing import choices_of_pieces, other_ready_targets
-from sitewright.central_controller.errands import free_buffers, lying_on_buffer
 from sitewright.central_controller.measuring import Stopwatch
 from sitewright.central_controller.outcomes import steps_of
+from sitewright.central_controller.passing_pieces import (
+    PassedOn,
+    buffers_for,
+    errand_plan,
+    passed_in_words,
+)
 from sitewright.central_controller.ports import RefusalNote, SiteContext
 from sitewright.central_controller.rehearsal import built, carried_out
 from sitewright.central_controller.surveying import Surveyor
 from sitewright.central_controller.target_outcome import TargetPlan, TargetRefusal
 from sitewright.central_controller.target_planning import plan_target
 from sitewright.construction_graph.graph import MaterialNode
-from sitewright.foundation.ids import ComponentId, StationId
-from sitewright.robot_team.skill import Skill
+from sitewright.foundation.ids import ComponentId
 from sitewright.symbolic_planning.site_view import Errand
 
 _MOST_ERRANDS = 4
@@ -99,25 +103,23 @@ class Recovery:
     def _by_way_of_buffers(
         self, context: SiteContext, refusal: TargetRefusal
     ) -> Iterator[_WayRound]:
-        """Yield plans in which a piece is laid down first: for another robot, or another grasp."""
+        """Yield plans in which a piece is laid down first: for other robots, or another grasp."""
         for piece in refusal.passable[:_MOST_BROUGHT]:
-            for place in self._buffers(context, piece):
-                if not self._serves_from(context, piece, place):
+            passed = PassedOn(
+                surveyor=self.surveyor,
+                context=context,
+                target=self.target,
+                piece=piece,
+                watch=self.watch,
+            )
+            for way in passed.ways():
+                moved = passed.brought(way)
+                if moved is None:
                     continue
-                for moved in self._errands(context, piece, place):
-                    after = carried_out(context, steps_of(moved), self.target)
-                    rest = self.made_of(after, (piece,))
-                    if isinstance(rest, TargetPlan):
-                        yield _WayRound(rest.after(moved), _brought(moved, rest, place))
-
-    def _serves_from(self, context: SiteContext, piece: ComponentId, place: str) -> bool:
-        """Tell whether a robot could take a piece from a buffer and place it at the target."""
-        surveyor = self.surveyor
-        surface = surveyor.design.cell.station_by_id[StationId(place)].world_T_station
-        there = lying_on_buffer(context, piece, surveyor.shapes[piece], surface)
-        graph = surveyor.graph_of(there)
-        found = surveyor.situation(graph, there, self.target, (piece,), self.watch)
-        return bool(found.study.holdings)
+                after = carried_out(context, steps_of(moved), self.target)
+                rest = self.made_of(after, (piece,))
+                if isinstance(rest, TargetPlan):
+                    yield _WayRound(rest.after(moved), passed_in_words(moved, rest, way))
 
     def _cleared(self, context: SiteContext, refusal: TargetRefusal) -> Iterator[_WayRound]:
         """Yield plans that first bring the pieces in the way to buffers."""
@@ -138,31 +140,13 @@ class Recovery:
                 yield outcome
             return
         first, *others = pieces
-        for place in self._buffers(context, first):
-            for moved in self._errands(context, first, place):
+        for place in buffers_for(self.surveyor, context, first):
+            errand = Errand(piece=first, place=place)
+            moved = errand_plan(self.surveyor, context, self.target, errand, self.watch)
+            if moved is not None:
                 after = carried_out(context, steps_of(moved), self.target)
                 for rest in self._after_moving(after, others):
                     yield rest.after(moved)
-
-    def _buffers(self, context: SiteContext, piece: ComponentId) -> list[str]:
-        """Return the buffers that are free for a piece and that it does not lie on."""
-        graph, cell = self.surveyor.graph_of(context), self.surveyor.design.cell
-        node = graph.node_by_id.get(piece)
-        here = node.place if isinstance(node, MaterialNode) else None
-        free = free_buffers(cell, context.observation.world_T_piece, piece)
-        return [place for place in free if place != here]
-
-    def _errands(
-        self, context: SiteContext, piece: ComponentId, place: str
-    ) -> Iterator[TargetPlan]:
-        """Yield the way to bring a piece to a free buffer, if there is one."""
-        surveyor = self.surveyor
-        graph = surveyor.graph_of(context)
-        errand = Errand(piece=piece, place=place)
-        found = surveyor.errand(graph, context, self.target, errand, self.watch)
-        outcome = plan_target(surveyor.ports, found.twin, found.study, found.view, self.watch)
-        if isinstance(outcome, TargetPlan):
-            yield outcome
 
     def _is_movable(self, context: SiteContext, piece: ComponentId) -> bool:
         node = self.surveyor.graph_of(context).node_by_id.get(piece)
@@ -172,15 +156,6 @@ class Recovery:
 def answered_by(notes: Iterable[RefusalNote], then: str) -> tuple[RefusalNote, ...]:
     """Return refusals with what was done instead, where that was not known before."""
     return tuple(n if n.then else replace(n, then=then) for n in notes)
-
-
-def _brought(moved: TargetPlan, rest: TargetPlan, place: str) -> str:
-    """Return how a piece goes by way of a buffer: from hand to hand, or to be held otherwise."""
-    by = next(c.robot for c in moved.parts[-1].motions.calls if c.skill == Skill.SET_DOWN)
-    takes = next(c.robot for c in rest.parts[-1].motions.calls if c.skill == Skill.GRASP)
-    if by == takes:
-        return f"{by} lays it down at {place} and takes it differently"
-    return f"{by} lays it down at {place}, where {takes} takes it"
 
 
 def pieces_in_the_way(

@@ -97,19 +97,36 @@ class Surveyor:
         self, context: SiteContext, site: Jobsite, task: Task, view: SiteView, watch: Stopwatch
     ) -> Situation:
         rejections, target = context.site.rejections, view.target
-        twin = TwinContext(
-            backends=self.ports.backends,
-            site=site,
-            task=task,
-            seed=another_seed(self.seed, target, rejections),
-            kept=self.ports.kept,
-        )
+        twin = self._twin(context, site, task, target)
         watch.start()
         studied = study(twin, view.lies_at)
         watch.stop("motion")
         base = without_refused_robots(studied.base, target, rejections)
         studied = replace(studied, base=base)
         return Situation(twin=twin, study=studied, view=replace(view, geometry=studied.facts))
+
+    def twin(
+        self,
+        graph: ConstructionGraph,
+        context: SiteContext,
+        target: ComponentId,
+        candidates: tuple[ComponentId, ...],
+    ) -> TwinContext:
+        """Return the twin's picture of a target, before any check."""
+        site = self.jobsite(context)
+        task = task_of(self.design, graph, context, target, candidates)
+        return self._twin(context, site, task, target)
+
+    def _twin(
+        self, context: SiteContext, site: Jobsite, task: Task, target: ComponentId
+    ) -> TwinContext:
+        return TwinContext(
+            backends=self.ports.backends,
+            site=site,
+            task=task,
+            seed=another_seed(self.seed, target, context.site.rejections),
+            kept=self.ports.kept,
+        )
 
     def view(
         self,

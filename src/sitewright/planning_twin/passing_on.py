@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose
@@ -20,8 +20,7 @@ def might_be_passed_on(context: TwinContext, piece: ComponentId) -> bool:
     A robot may carry a piece from one place to another unless every grasp is proven out of
     reach at one of the two. Where this says no, no plan with any number of hand-overs exists.
     """
-    poses = _places(context, piece)
-    reached = [_reached(context, r, piece, poses) for r in _handlers(context)]
+    reached = _reached_by_each(context, piece)
     known, waiting = {_START}, [_START]
     while waiting:
         here = waiting.pop()
@@ -30,6 +29,34 @@ def might_be_passed_on(context: TwinContext, piece: ComponentId) -> bool:
                 waiting += places - known
                 known |= places
     return _TARGET in known
+
+
+def ways_by_buffers(
+    context: TwinContext, piece: ComponentId, *, most: int
+) -> Iterator[tuple[str, ...]]:
+    """Yield the buffers on each way of a piece to its target that is not proven out of reach.
+
+    Args:
+        context: Engines, site and task.
+        piece: Where it lies, or who holds it, is where the ways begin.
+        most: So many buffers at most; ways over fewer of them come first.
+    """
+    reached = _reached_by_each(context, piece)
+    ways: list[tuple[str, ...]] = [()]
+    for _ in range(most):
+        longer = [(*way, b) for way in ways for b in context.task.buffers if b not in way]
+        ways = [w for w in longer if _is_linked(reached, *(_START, *w)[-2:])]
+        yield from (w for w in ways if _is_linked(reached, w[-1], _TARGET))
+
+
+def _is_linked(reached: list[set[str]], here: str, there: str) -> bool:
+    """Tell whether some robot may carry a piece from one place to another."""
+    return any(here in places and there in places for places in reached)
+
+
+def _reached_by_each(context: TwinContext, piece: ComponentId) -> list[set[str]]:
+    poses = _places(context, piece)
+    return [_reached(context, r, piece, poses) for r in _handlers(context)]
 
 
 def _places(context: TwinContext, piece: ComponentId) -> dict[str, Pose]:
