@@ -22,12 +22,14 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 from builders_random_frames import random_frame
+from independent_holding import held_check
 from independent_reach import unreachable
 from sitewright.app.engines import proposals_of
 from sitewright.app.planning import PlanReport, plan_project, start_of
 from sitewright.app.project import Project
 from sitewright.central_controller.ports import Escalation, Planned, SiteContext
 from sitewright.central_controller.rehearsal import rehearsed
+from sitewright.foundation.ids import ComponentId
 
 _SEEDS = range(1, 21)
 _CLASSES = ("built", "impossible", "blocked", "not found", "waits", "WRONG")
@@ -60,13 +62,18 @@ def _row(found: Counter[str]) -> str:
 def _class_of(project: Project, report: PlanReport, refused: Escalation) -> str:
     """Return what a refusal is, once other code has looked at it."""
     if refused.is_proven:
-        return "impossible" if unreachable(project, refused.target) else "WRONG"
+        return "impossible" if _is_confirmed(project, refused.target) else "WRONG"
     if refused.blockers:
         return "blocked"
     context = _site_before(project, report)
     set_aside = frozenset(e.target for e in report.escalated) - {refused.target}
     tries = (proposals_of(project, seed=s).propose(context, exclude=set_aside) for s in _SEEDS)
     return "WRONG" if any(isinstance(t, Planned) for t in tries) else "not found"
+
+
+def _is_confirmed(project: Project, target: ComponentId) -> bool:
+    """Tell whether other code finds neither a posture nor a way to fasten the piece while held."""
+    return bool(unreachable(project, target)) or held_check(project, target).is_impossible
 
 
 def _site_before(project: Project, report: PlanReport) -> SiteContext:

@@ -99,8 +99,9 @@ def test_a_far_nail_that_must_be_driven_while_held_is_refused_with_its_name(
     outcome = forced.propose(frame.before[STUD])
     assert isinstance(outcome, Escalation)
     assert outcome.target == STUD
-    assert not outcome.is_proven
+    assert outcome.is_proven, "the holder's own arm is in the way however it holds the stud"
     assert f"{FAR[0]} must be driven while" in outcome.reason
+    assert f"since {A}, which holds it, is in the way of {FAR[0]}" in outcome.reason
     assert {r.kind for r in outcome.refusals} == {"NoGrasp"}
 
 

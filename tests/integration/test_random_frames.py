@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from builders_held import frame_of_one_stud
 from builders_random_frames import random_frame
+from independent_holding import held_check
 from independent_reach import unreachable
 from sitewright.app.planning import plan_project
 from sitewright.foundation.ids import ComponentId
@@ -34,3 +36,26 @@ def test_what_is_called_impossible_is_out_of_reach_by_a_check_that_shares_no_cod
     assert all(unreachable(project, t) for t in impossible)
     assert {p.proposal.target for p in report.planned} == {"support-1", "support-2", "stud-2"}
     assert unreachable(project, ComponentId("stud-2")) is None
+
+
+def test_a_stud_that_its_holder_is_in_the_way_of_is_impossible_by_a_check_that_shares_no_code() -> (
+    None
+):
+    """Own kinematics, all postures anew, distances by MuJoCo: nothing that might move is in it."""
+    project, target = frame_of_one_stud(7), ComponentId("stud-1")
+    report = plan_project(project)
+    (refused,) = report.escalated
+    assert refused.is_proven
+    assert refused.verdict == "proven impossible"
+    assert "since kr120-a, which holds it, is in the way of stud-1.nail-1" in refused.reason
+    found = held_check(project, target)
+    assert found.is_impossible
+    assert found.ways == 468
+    assert found.posts > 500
+
+
+def test_the_check_that_shares_no_code_finds_the_way_to_hold_that_the_planner_finds() -> None:
+    """Frame 16 looks the same and has a few ways out; without quarter turns, as plans are made."""
+    found = held_check(random_frame(16), ComponentId("stud-1"), quarter_turns=False)
+    assert not found.is_impossible
+    assert 0 < found.enough < 0.1 * found.ways

@@ -55,6 +55,14 @@ class DrivingWays:
         among = Reaching(backends=self._context.backends, scene=scene, robot=robot.id)
         return any(way.is_clear(among) for way in known)
 
+    def is_free_alone(self, operation: OperationId) -> bool:
+        """Tell whether a robot that was asked for reaches a fastener while nobody holds the piece.
+
+        The posture in contact is looked at, without the other robots.
+        """
+        known = (ways for (_, o), ways in self._ways.items() if o == operation)
+        return any(next(iter(ways), None) is not None for ways in known)
+
     def _found(self, robot: Robot, spot: Spot, tool: EndEffector) -> Iterator[_Way]:
         scene = alone(scene_of(with_tool(self._placed, robot.id, tool)), robot.id)
         reaching = Reaching(backends=self._context.backends, scene=scene, robot=robot.id)

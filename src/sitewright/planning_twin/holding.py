@@ -6,21 +6,23 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 
-from sitewright.foundation.ids import ComponentId, OperationId
+from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.grasp_trial import GraspTrial, grasp_trial
 from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
+from sitewright.planning_twin.held_proof import proof_of_too_few
+from sitewright.planning_twin.held_words import too_few_words
 from sitewright.planning_twin.moment import moment_of
-from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, NoIk, PayloadExceeded, Refusal
-from sitewright.planning_twin.tacking import (
-    Holding,
-    Tacking,
-    forced_tacks,
-    owed_tacks,
-    tacks_needed,
-    with_tacks,
+from sitewright.planning_twin.refusal import (
+    BlockedBy,
+    HeldFreedoms,
+    NoGrasp,
+    NoIk,
+    PayloadExceeded,
+    Refusal,
 )
-from sitewright.planning_twin.task import Task, TwinContext
+from sitewright.planning_twin.tacking import Holding, Tacking, owed_tacks, with_tacks
+from sitewright.planning_twin.task import TwinContext
 from sitewright.robot_team.cell import EndEffector, Robot
 from sitewright.robot_team.description import Joints
 
@@ -76,13 +78,29 @@ def find_holding(
                 return replace(
                     holding, tacks=tacks.while_at(holding.hold_rad), passed_over=passed_over
                 )
+    never = _never_enough(context, robot, tool, piece, candidates, dropped)
     return NoGrasp(
-        is_proven=not candidates,
+        is_proven=not candidates or never is not None,
         candidates=len(candidates),
         dropped_by=tuple(sorted(dropped.items())),
-        reason=_reason(context.task, tacking, dropped, tried),
+        reason=_reason(tacking, dropped, tried, never),
         nearest=None if tried else _in_the_way(context, robot, tool, piece, candidates),
+        freedoms=never,
     )
+
+
+def _never_enough(
+    context: TwinContext,
+    robot: Robot,
+    tool: EndEffector,
+    piece: ComponentId,
+    candidates: list[Grasp],
+    dropped: Counter[str],
+) -> HeldFreedoms | None:
+    """Return over what it is proven that no way to hold lets enough be driven meanwhile."""
+    if not dropped[_TACKS] or set(dropped) - {_TACKS, _PLACE}:
+        return None
+    return proof_of_too_few(context, robot, tool, piece, candidates)
 
 
 def depends_on_start(refusal: Refusal) -> bool:
@@ -244,27 +262,19 @@ def _candidates(
     return grasps_of(context.site.pieces[piece], tool, context.site.world_T_piece[piece])
 
 
-def _reason(task: Task, tacking: Tacking, dropped: Counter[str], tried: tuple[Holding, ...]) -> str:
+def _reason(
+    tacking: Tacking,
+    dropped: Counter[str],
+    tried: tuple[Holding, ...],
+    never: HeldFreedoms | None,
+) -> str:
     if dropped[_TACKS]:
-        return _too_few(task, tacking.most, tacking.insufficient)
+        return too_few_words(tacking, never)
     if tried:
         return f"the motions of all {len(tried)} grasps that serve were refused"
     if not dropped:
         return "no side of the piece fits between the gripper's fingers"
     return "no grasp serves " + ", ".join(f"{name} ({n})" for name, n in dropped.most_common())
-
-
-def _too_few(task: Task, most_tacks: tuple[OperationId, ...], ways: int) -> str:
-    missing = [o for o in forced_tacks(task) if o not in most_tacks]
-    if missing:
-        return (
-            f"{' and '.join(missing)} must be driven while the piece is held, and no tool gets "
-            f"there in any of the {ways} ways to hold it"
-        )
-    return (
-        f"at most {len(most_tacks)} of the {tacks_needed(task)} fasteners that must be driven "
-        f"before letting go can be driven while it is held (in {ways} ways to hold it)"
-    )
 
 
 def _too_heavy(

@@ -15,7 +15,7 @@ from sitewright.planning_twin.reach_ball import (
     reach_with_tools_m,
     standing_within,
 )
-from sitewright.planning_twin.refusal import BlockedBy, Refusal
+from sitewright.planning_twin.refusal import BlockedBy, NoGrasp, Refusal
 from sitewright.planning_twin.scene import arm_text, shape_hash
 from sitewright.planning_twin.scope_text import body_text, joints_text, pose_text, tool_text
 from sitewright.planning_twin.tacking import tacks_needed
@@ -28,13 +28,14 @@ from sitewright.symbolic_planning.nogood import scope_hash
 def holding_scope(context: TwinContext, robot: Robot, piece: ComponentId, refusal: Refusal) -> str:
     """Return the hash of all that decides whether a robot can take a piece and place it.
 
-    A proof depends on arm, end effector, piece and poses alone; what is blocked depends on the
-    things in the way besides. A search that found nothing depends on everything that the arm can
-    reach, and if fasteners must be driven meanwhile, on what the other robots can reach and on
-    how they stand.
+    A proof depends on arm, end effector, piece and poses alone, unless it is one by collisions;
+    what is blocked depends on the things in the way besides. A search that found nothing depends
+    on everything that the arm can reach, and if fasteners must be driven meanwhile, on what the
+    other robots can reach and on how they stand.
     """
     parts: dict[str, Json] = {"kind": type(refusal).__name__, **_kinematic(context, robot, piece)}
-    if not is_proof(refusal):
+    by_collisions = isinstance(refusal, NoGrasp) and refusal.freedoms is not None
+    if by_collisions or not is_proof(refusal):
         parts["task"] = _task_text(context, piece)
         parts["bodies"] = _bodies(context, robot, piece, refusal)
         if tacks_needed(context.task):

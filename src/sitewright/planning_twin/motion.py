@@ -252,6 +252,13 @@ class Kinematics(ForwardKinematics, Protocol):
         """
         ...
 
+    def has_all(self, description: Description, base_T_tip: Pose) -> bool:
+        """Tell whether `solve` gives every posture for a pose, whole turns aside.
+
+        Not on rails, not by iterations, and not where joints can share a turn freely.
+        """
+        ...
+
     def follow(self, description: Description, base_T_tip: Pose, near_rad: Joints) -> Joints | NoIk:
         """Return the solution for a pose a short way on; rails stay where `near_rad` has them."""
         ...

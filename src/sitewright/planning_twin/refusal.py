@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from sitewright.foundation.ids import OperationId, RobotId
 from sitewright.planning_twin.moment import Moment
 from sitewright.planning_twin.scene import Pair
 from sitewright.robot_team.description import Joints
@@ -75,6 +76,27 @@ class Disagreement:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class HeldFreedoms:
+    """Over what it is proven that a piece cannot be fastened while it is held.
+
+    Attributes:
+        grasps: So many grasps, in every posture of the arm.
+        ways: So many ways to hold the piece are left: grasps times postures in which the arm
+            meets neither itself nor what stands there for good.
+        tool_poses: So many poses of tools for each fastener at most: leans and quarter turns.
+        robots: Who might drive them.
+        blocked: Fasteners that could be driven if nobody held the piece, each with two bodies
+            that come too near otherwise: one of them belongs to who holds it.
+    """
+
+    grasps: int
+    ways: int
+    tool_poses: int
+    robots: tuple[RobotId, ...]
+    blocked: tuple[tuple[OperationId, Pair], ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NoGrasp:
     """No grasp serves pick, carry, place and steadying.
 
@@ -82,6 +104,7 @@ class NoGrasp:
         dropped_by: How many candidates each of the lists dropped.
         removals: Smallest sets of bodies and robots without which a grasp might serve.
         nearest: What kept the cheapest grasp that something is in the way of, if one was looked at.
+        freedoms: What a proof by collisions went through; None if it is no such proof.
     """
 
     is_proven: bool
@@ -90,6 +113,7 @@ class NoGrasp:
     removals: tuple[tuple[str, ...], ...] = ()
     reason: str = ""
     nearest: BlockedBy | None = field(default=None, compare=False)
+    freedoms: HeldFreedoms | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -106,6 +106,13 @@ class Tacking:
         self.most = max(self.most, tacks, key=len)
         return False
 
+    def hindered(self) -> tuple[OperationId, ...]:
+        """Return the fasteners beyond `most` that could be driven if nobody held the piece."""
+        fasteners = (
+            s for s in _most_wanted_first(self.context.task) if s.operation not in self.most
+        )
+        return tuple(s.operation for s in fasteners if self.ways.is_free_alone(s.operation))
+
 
 @dataclass(slots=True)
 class GraspTacks:
@@ -167,7 +174,8 @@ def drivable_while_held(
     for spot in _most_wanted_first(context.task):
         if len(found) >= count:
             break
-        if any(ways.can_drive(site, r, spot) for r in _drivers(context, spot)):
+        drivers = (r for r in _drivers(context, spot) if r.id != holding.robot)
+        if any(ways.can_drive(site, r, spot) for r in drivers):
             found.append(spot.operation)
         elif spot.needs_hold:
             break

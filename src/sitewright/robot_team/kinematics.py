@@ -8,6 +8,7 @@ from sitewright.foundation.pose import Pose, rotation, scale
 from sitewright.robot_team.description import Description, Joint, JointKind, Joints
 
 _DIGITS = 6
+_HALF_A_TURN = round(math.pi, _DIGITS)
 
 
 def link_poses(description: Description, q: Joints) -> dict[str, Pose]:
@@ -36,12 +37,18 @@ def tip_pose(description: Description, q: Joints) -> Pose:
 def without_turns(description: Description, q: Joints) -> Joints:
     """Return a posture as the arm looks in it: whole turns of a joint make no difference.
 
-    Positions of sliding joints stay; all are rounded to a millionth of a radian or metre.
+    Positions of sliding joints stay; all are rounded to a millionth of a radian or metre. Half a
+    turn is positive.
     """
     return tuple(
-        round(at if joint.kind is JointKind.PRISMATIC else math.remainder(at, math.tau), _DIGITS)
+        round(at, _DIGITS) if joint.kind is JointKind.PRISMATIC else _within_a_turn(at)
         for joint, at in zip(description.movable_joints, q, strict=True)
     )
+
+
+def _within_a_turn(at_rad: float) -> float:
+    found = round(math.remainder(at_rad, math.tau), _DIGITS)
+    return -found if found == -_HALF_A_TURN else found
 
 
 def _child_pose(joint: Joint, position: float) -> Pose:

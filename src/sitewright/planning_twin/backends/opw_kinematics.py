@@ -9,6 +9,7 @@ from sitewright.foundation.pose import Pose
 from sitewright.planning_twin.backends.identity_cache import IdentityCache
 from sitewright.planning_twin.backends.judged_arm import judged
 from sitewright.planning_twin.backends.kinematic_chain import matrix_of, pose_of
+from sitewright.planning_twin.backends.opw_solver import OpwSolver
 from sitewright.planning_twin.backends.solver import Solver, nearest
 from sitewright.planning_twin.motion import ArmVerdict, Kinematics
 from sitewright.planning_twin.refusal import NoIk
@@ -40,6 +41,14 @@ class OpwKinematics(Kinematics):
         if isinstance(found, NoIk):
             return found
         return tuple(tuple(row) for row in nearest(found, near).tolist())
+
+    @override
+    def has_all(self, description: Description, base_T_tip: Pose) -> bool:
+        solver = self._solver(description)
+        if not isinstance(solver, OpwSolver):
+            return False
+        (found,) = solver.branches(matrix_of(base_T_tip)[None])
+        return not found.is_singular
 
     @override
     def follow(self, description: Description, base_T_tip: Pose, near_rad: Joints) -> Joints | NoIk:
