@@ -86,7 +86,7 @@ class ThreadLink:
             run_once=self._run_once,
             begins_itself=begins_itself(history, self.site.site),
             policy=policy_of(read_project(self.site.folder).settings),
-            site_at_rest=lambda: state_after(history_of(runs), self.site.site).site,
+            at_rest=lambda: state_after(history_of(runs), self.site.site),
         ).serve()
         channel.close()
 

@@ -203,3 +203,32 @@ def test_only_a_person_settles_an_unknown_outcome_and_the_journal_says_who(
     (answered,) = journal(served, "question_answered")
     assert (answered["who"], answered["answer"]) == ("local", "done")
     assert answered["decision"]["role"] == "admin"
+
+
+def test_a_question_outlives_the_server_and_is_answered_while_the_run_stands(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    with Served(tmp_path / "project") as served:
+        page = served.local()
+        for _ in range(2):
+            support = waiting(page)
+            page.post("/api/decisions", json=approval(support))
+            stud = waiting(page, other_than=support["fingerprint"])
+        served.site.pretend.add("fasten")
+        page.post("/api/decisions", json=approval(stud))
+        asked = wait_for(page, lambda s: s["phase"] == "question")["question"]
+    lives = served.site.lives
+    with Served(tmp_path / "project") as served:
+        served.site.lives = lives  # ids go on where they were
+        page = served.local()
+        again = wait_for(page, lambda s: s["phase"] == "question")
+        assert again["question"] == asked
+        answer = {"verb": "answer", "key": "the-answer", "answer": "not-done"}
+        other = page.post("/api/decisions", json={**answer, "question_id": "x"})
+        assert (other.status_code, other.json()["error"]) == (409, "not-asked")
+        told = page.post("/api/decisions", json={**answer, "question_id": asked["question_id"]})
+        assert told.status_code == 200, told.text
+        assert waiting(page)["fingerprint"] != stud["fingerprint"]
+    (answered,) = journal(served, "question_answered")
+    assert (answered["answer"], answered["decision"]["key"]) == ("not-done", "the-answer")

@@ -136,6 +136,32 @@ def test_work_by_hand_is_vouched_for_effect_by_effect(served: Served) -> None:
     assert len(done) == len(facts) - 1
 
 
+def test_work_by_hand_is_vouched_for_also_while_the_run_stands(served: Served) -> None:
+    """A piece in place that does not match holds the run; what is said then comes first."""
+    page = served.local()
+    for _ in range(2):
+        support = waiting(page)
+        page.post("/api/decisions", json=approval(support))
+        waiting(page, other_than=support["fingerprint"])
+    stud = waiting(page)
+    placing = next(s["number"] for s in stud["steps"] if s["skill"] == "position")
+    until = approval(stud, scope={"kind": "until", "step": placing})
+    assert page.post("/api/decisions", json=until).status_code == 200
+    wait_for(page, lambda s: s["phase"] == "waiting" and s["open"]["next_step"] == placing + 1)
+    assert decide(page, "mismatch", component=stud["target"]).status_code == 200
+    held = wait_for(page, lambda s: s["phase"] == "held")
+    (trouble,) = held["trouble"]
+    assert [o["verb"] for o in trouble["options"]] == ["resume", "manual"]
+    facts = [e["fact"] for e in page.get(f"/api/manual/{stud['target']}").json()["effects"]]
+    wrong = decide(page, "manual", target=stud["target"], effects=["(done the-moon)"])
+    assert (wrong.status_code, wrong.json()["possible"]) == (422, facts)
+    answer = decide(page, "manual", target=stud["target"], effects=facts)
+    assert answer.status_code == 200, answer.text
+    wait_for(page, lambda s: s["progress"]["installed"] == 3)
+    after = kinds(served)
+    assert after[after.index("run_resumed") + 1] == "done_by_hand"
+
+
 def test_two_people_must_agree_where_the_policy_asks_for_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

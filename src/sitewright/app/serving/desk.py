@@ -13,7 +13,8 @@ from dataclasses import dataclass, field, replace
 from threading import Condition
 
 from sitewright.app.serving.memory import Memory, decision_of
-from sitewright.app.serving.rules import answer_of, objection, sameness, zone_objection
+from sitewright.app.serving.rules import answer_of, objection, sameness, site_objection
+from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import RunFinished, RunHeld
 from sitewright.central_controller.ports import (
@@ -70,6 +71,10 @@ class _Errand:
     respond: Respond
 
 
+def _nowhere() -> CycleState:
+    return CycleState(site=SiteState())
+
+
 class Desk:
     """Port `Approver` for people at a page."""
 
@@ -78,7 +83,7 @@ class Desk:
         memory: Memory,
         *,
         policy: ApprovalPolicy | None = None,
-        site_at_rest: Callable[[], SiteState] = SiteState,
+        at_rest: Callable[[], CycleState] = _nowhere,
         waits_to_go: bool = True,
         now_s: Callable[[], float] = time.monotonic,
     ) -> None:
@@ -87,12 +92,12 @@ class Desk:
         Args:
             memory: What was decided before.
             policy: Rules of the project.
-            site_at_rest: The site while the run stands.
+            at_rest: The state of the run while it stands.
             waits_to_go: The run stands until somebody wants it to go on.
             now_s: Clock for those who wait for a second person.
         """
         self._memory, self._policy = memory, policy or ApprovalPolicy()
-        self._site_at_rest, self._now_s = site_at_rest, now_s
+        self._at_rest, self._now_s = at_rest, now_s
         self._firsts: dict[str, tuple[Signed, float]] = {}
         self._changed = Condition()
         self._request: ApprovalRequest | None = None
@@ -283,13 +288,15 @@ class Desk:
                 return None if free else not_asked("The run is under way already.")
             case Verb.ANSWER:
                 return self._about_question(signed)
-            case Verb.ZONE if self._waits_to_go and self._taken is None:
-                return zone_objection(signed, self._site_at_rest())
+            case Verb.ZONE | Verb.MANUAL if self._waits_to_go and self._taken is None:
+                return site_objection(signed, self._at_rest().site)
             case _:
                 return self._about_proposal(signed)
 
     def _about_question(self, signed: Signed) -> Reply | None:
         question, taken = self._question, self._taken
+        if self._waits_to_go and taken is None:
+            question = self._at_rest().question
         if taken is not None and taken.signed.decision.question_id == signed.decision.question_id:
             return self._memory.decided_first(taken.signed)
         if question is None or question.question_id != signed.decision.question_id:

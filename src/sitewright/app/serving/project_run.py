@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TypedDict
 
@@ -15,14 +16,14 @@ from sitewright.app.serving.channel import Channel
 from sitewright.app.serving.history import Numbered, history_of
 from sitewright.app.serving.memory import Memory
 from sitewright.app.serving.policy_file import policy_of
-from sitewright.app.serving.rules import zone_wish
+from sitewright.app.serving.rules import site_wish
 from sitewright.app.serving.worker import Hooks, Worker
 from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.decision import DecisionRecord
-from sitewright.central_controller.events import AnyEvent, ProposalSuperseded
+from sitewright.central_controller.events import AnyEvent, ProposalSuperseded, QuestionAnswered
 from sitewright.central_controller.site_state import SiteState, site_of
-from sitewright.central_controller.steering import steered
+from sitewright.central_controller.steering import Steering, steered
 from sitewright.interaction_twin.decisions import Signed
 from sitewright.interaction_twin.roles import Verb
 
@@ -77,8 +78,8 @@ def worker_of(
 
     design = site_of(project.model)
 
-    def site_at_rest() -> SiteState:
-        return state_after(history_of(project.folder / "runs"), design).site
+    def at_rest() -> CycleState:
+        return state_after(history_of(project.folder / "runs"), design)
 
     return Worker(
         channel=channel,
@@ -86,7 +87,7 @@ def worker_of(
         run_once=run_once,
         begins_itself=not waits and (from_design or begins_itself(history, design)),
         policy=policy_of(project.settings),
-        site_at_rest=site_at_rest,
+        at_rest=at_rest,
     )
 
 
@@ -99,23 +100,40 @@ class Begun(TypedDict):
 
 
 def begun(signed: Signed | None) -> Begun:
-    """Return what a decision to go on means: a zone that was drawn while the run stood is first."""
+    """Return what a decision to go on means: what was decided while the run stood comes first."""
     if signed is None:
         return Begun(who="", decision=None, first=_nothing)
     who = signed.person.who
-    if signed.decision.verb is not Verb.ZONE:
-        return Begun(who=who, decision=signed.record(), first=_nothing)
-    wish = zone_wish(signed)
+    match signed.decision.verb:
+        case Verb.ZONE | Verb.MANUAL:
+            return Begun(who=who, decision=None, first=partial(_steered_first, site_wish(signed)))
+        case Verb.ANSWER:
+            return Begun(who=who, decision=None, first=partial(_answered_first, signed))
+        case _:
+            return Begun(who=who, decision=signed.record(), first=_nothing)
 
-    def first(state: CycleState) -> Sequence[AnyEvent]:
-        why, events = steered(state.site, wish)
-        made = state.proposal
-        if made is None:
-            return events
-        gone = ProposalSuperseded(fingerprint=made.fingerprint, reason=why, is_replan=False)
-        return [*events, gone]
 
-    return Begun(who=who, decision=None, first=first)
+def _steered_first(wish: Steering, state: CycleState) -> Sequence[AnyEvent]:
+    why, events = steered(state.site, wish)
+    made = state.proposal
+    if made is None:
+        return events
+    gone = ProposalSuperseded(fingerprint=made.fingerprint, reason=why, is_replan=False)
+    return [*events, gone]
+
+
+def _answered_first(signed: Signed, state: CycleState) -> Sequence[AnyEvent]:
+    question, answer = state.question, signed.decision.answer
+    if question is None or answer is None or question.question_id != signed.decision.question_id:
+        return ()
+    return [
+        QuestionAnswered(
+            question_id=question.question_id,
+            answer=answer,
+            who=signed.person.who,
+            decision=signed.record(),
+        )
+    ]
 
 
 def _nothing(state: CycleState) -> Sequence[AnyEvent]:

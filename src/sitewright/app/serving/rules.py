@@ -32,16 +32,14 @@ def objection(signed: Signed, request: ApprovalRequest, policy: ApprovalPolicy) 
             return _of_scope(signed, request) or _of_clearance(signed, request, policy)
         case Verb.REJECT | Verb.NEW_MOTION:
             return _of_step(signed.decision.step, request)
-        case Verb.ZONE:
-            return zone_objection(signed, request.site)
-        case Verb.MANUAL:
-            return _of_hand_work(signed, request.site)
         case _:
-            return None
+            return site_objection(signed, request.site)
 
 
-def zone_objection(signed: Signed, site: SiteState) -> Reply | None:
-    """Return why a zone cannot be taken away: nobody drew it."""
+def site_objection(signed: Signed, site: SiteState) -> Reply | None:
+    """Return why a decision about the site cannot be taken: no such zone, no such work."""
+    if signed.decision.verb is Verb.MANUAL:
+        return _of_hand_work(signed, site)
     name = signed.decision.remove_zone
     if name and name not in site.zones:
         drawn = ", ".join(site.zones) or "none"
@@ -81,18 +79,18 @@ def answer_of(signed: Signed) -> ApprovalAnswer | None:
             return Mismatch(
                 who=who, component=decision.component, detail=decision.detail, decision=record
             )
-        case Verb.MANUAL:
-            target = ComponentId(decision.target)
-            return ByHand(who=who, target=target, effects=decision.effects, decision=record)
-        case Verb.ZONE:
-            return zone_wish(signed)
+        case Verb.MANUAL | Verb.ZONE:
+            return site_wish(signed)
         case _:
             return None
 
 
-def zone_wish(signed: Signed) -> DrawZone | RemoveZone:
-    """Return what a decision about a zone wants."""
+def site_wish(signed: Signed) -> DrawZone | RemoveZone | ByHand:
+    """Return what a decision about a zone or about work by hand wants."""
     decision, who, record = signed.decision, signed.person.who, signed.record()
+    if decision.verb is Verb.MANUAL:
+        target = ComponentId(decision.target)
+        return ByHand(who=who, target=target, effects=decision.effects, decision=record)
     if decision.zone is None:
         return RemoveZone(who=who, zone=ZoneId(decision.remove_zone), decision=record)
     return DrawZone(

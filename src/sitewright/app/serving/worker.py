@@ -16,6 +16,7 @@ from sitewright.app.serving.channel import Channel, Message
 from sitewright.app.serving.desk import Desk, Respond
 from sitewright.app.serving.memory import Memory
 from sitewright.central_controller.codec import from_json
+from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.events import event_to_json
 from sitewright.central_controller.site_state import SiteState
 from sitewright.errors import SitewrightError
@@ -60,7 +61,7 @@ class Worker:
         run_once: The run, put together elsewhere.
         begins_itself: Begin without being told: nothing is approved, so nothing moves.
         policy: Rules of the project.
-        site_at_rest: The site while the run stands.
+        at_rest: The state of the run while it stands.
     """
 
     channel: Channel
@@ -68,7 +69,7 @@ class Worker:
     run_once: RunOnce
     begins_itself: bool = False
     policy: ApprovalPolicy = field(default_factory=ApprovalPolicy)
-    site_at_rest: Callable[[], SiteState] = SiteState
+    at_rest: Callable[[], CycleState] = lambda: CycleState(site=SiteState())
     _driver: CellDriver | None = field(default=None, init=False)
     _driver_lock: Lock = field(default_factory=Lock, init=False)
 
@@ -77,7 +78,7 @@ class Worker:
         desk = Desk(
             self.memory,
             policy=self.policy,
-            site_at_rest=self.site_at_rest,
+            at_rest=self.at_rest,
             waits_to_go=not self.begins_itself,
         )
         Thread(target=self._listen, args=(desk,), daemon=True).start()
