@@ -157,7 +157,8 @@ def test_a_plan_that_changed_after_it_was_read_is_refused_and_the_change_is_show
         "scope": {"kind": "step", "step": 1},
         "shown": ["as on another tablet"],
     }
-    assert seen.post("/api/decisions", {**body, "key": secrets.token_hex(16)})[0] == 200
+    status, told = seen.post("/api/decisions", {**body, "key": secrets.token_hex(16)})
+    assert status == 200, told
     status, told = seen.post("/api/decisions", {**body, "key": secrets.token_hex(16)})
     assert (status, told["error"]) in {(409, "decided"), (409, "stale"), (409, "not-asked")}
     assert len(events(served, "approval_given")) == 1
@@ -172,6 +173,7 @@ def test_a_lost_server_is_told_at_once_and_nothing_waits_to_be_sent(
     served.end(signal.SIGKILL)
     page.wait_for_selector(".banner.lost", timeout=WAIT_MS)
     expect(page.locator(".banner.lost")).to_contain_text("Use the stop on the cell.")
+    expect(page.locator(".hold.unreachable")).to_contain_text("No connection")
     expect(page.locator(".headline")).to_have_text("")
     expect(page.locator(".chip")).to_have_attribute("data-link", "lost")
     main = page.locator(".approve.main")

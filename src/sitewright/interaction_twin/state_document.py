@@ -46,6 +46,7 @@ class Standing:
         trouble: Why it broke off; empty if it did not.
         is_hold_asked: Somebody wants a hold that is not in the journal yet.
         started_at_ms: When the skill under way was started.
+        asks: The plan with its next step, or the question, that it takes an answer to now.
     """
 
     is_active: bool
@@ -53,9 +54,15 @@ class Standing:
     trouble: str = ""
     is_hold_asked: bool = False
     started_at_ms: int = 0
+    asks: str = ""
 
 
-def phase_of(state: CycleState, standing: Standing) -> Phase:  # noqa: PLR0911 -- one line per case
+def asked_plan(fingerprint: str, next_step: int) -> str:
+    """Return what `Standing.asks` is while a plan waits for a decision about a step."""
+    return f"{fingerprint} {next_step}"
+
+
+def phase_of(state: CycleState, standing: Standing) -> Phase:  # noqa: C901, PLR0911 -- one line per case
     """Return the phase of a run."""
     if standing.trouble or not standing.is_alive:
         return Phase.BROKEN
@@ -64,6 +71,8 @@ def phase_of(state: CycleState, standing: Standing) -> Phase:  # noqa: PLR0911 -
     if standing.is_hold_asked:
         return Phase.HOLDING
     match next_command(state):
+        case AskApproval() | AskPerson() if not _is_asked(state, standing):
+            return Phase.PLANNING
         case AskApproval():
             return Phase.WAITING
         case AskPerson():
@@ -74,6 +83,14 @@ def phase_of(state: CycleState, standing: Standing) -> Phase:  # noqa: PLR0911 -
             return _resting(state)
         case _:
             return Phase.RUNNING if state.flight is not None or state.approval else Phase.PLANNING
+
+
+def _is_asked(state: CycleState, standing: Standing) -> bool:
+    """Tell whether an answer would be heard: the journal is written before anybody is asked."""
+    if state.question is not None:
+        return standing.asks == state.question.question_id
+    made = state.proposal
+    return made is not None and standing.asks == asked_plan(made.fingerprint, state.done + 1)
 
 
 def _resting(state: CycleState) -> Phase:

@@ -42,6 +42,7 @@ from sitewright.interaction_twin.decisions import (
 from sitewright.interaction_twin.policy import ApprovalPolicy
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.roles import Verb
+from sitewright.interaction_twin.state_document import asked_plan
 
 Respond = Callable[[Reply], None]
 """Sends the answer to the one who decided."""
@@ -86,6 +87,7 @@ class Desk:
         at_rest: Callable[[], CycleState] = _nowhere,
         waits_to_go: bool = True,
         now_s: Callable[[], float] = time.monotonic,
+        on_asking: Callable[[str], None] = lambda _: None,
     ) -> None:
         """Open the desk.
 
@@ -95,7 +97,9 @@ class Desk:
             at_rest: The state of the run while it stands.
             waits_to_go: The run stands until somebody wants it to go on.
             now_s: Clock for those who wait for a second person.
+            on_asking: Gets what an answer is taken to from now on (`Standing.asks`).
         """
+        self._on_asking = on_asking
         self._memory, self._policy = memory, policy or ApprovalPolicy()
         self._at_rest, self._now_s = at_rest, now_s
         self._firsts: dict[str, tuple[Signed, float]] = {}
@@ -115,6 +119,7 @@ class Desk:
         """Wait for a decision about a proposal; blocks until there is one."""
         with self._changed:
             self._request, self._ways = request, None
+        self._on_asking(asked_plan(request.fingerprint, request.next_step))
         try:
             while True:
                 taken, errand, hold = self._next()
@@ -133,6 +138,8 @@ class Desk:
         """Wait for what a person says about an unknown outcome; None if the run is to stop."""
         with self._changed:
             self._question = question
+        self._on_asking(question.question_id)
+        with self._changed:
             self._changed.wait_for(lambda: self._taken is not None or self._hold is not None)
             self._question = None
             taken = self._taken

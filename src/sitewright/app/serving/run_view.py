@@ -123,6 +123,8 @@ class RunView:
         match message["what"]:
             case "begun":
                 self.standing = Standing(is_active=True)
+            case "asks":
+                self.standing = replace(self.standing, asks=str(message["asks"]))
             case "broken":
                 self.standing = Standing(is_active=False, trouble=str(message["message"]))
             case "gone":

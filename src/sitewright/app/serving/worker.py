@@ -80,6 +80,7 @@ class Worker:
             policy=self.policy,
             at_rest=self.at_rest,
             waits_to_go=not self.begins_itself,
+            on_asking=self._tell_asking,
         )
         Thread(target=self._listen, args=(desk,), daemon=True).start()
         begun_by: Signed | None = None
@@ -117,6 +118,9 @@ class Worker:
         finally:
             with self._driver_lock:
                 self._driver = None
+
+    def _tell_asking(self, asks: str) -> None:
+        self.channel.send({"is": "run", "what": "asks", "asks": asks})
 
     def _recorder(self, desk: Desk) -> Callable[[str, Stamped], None]:
         def on_record(run: str, stamped: Stamped) -> None:

@@ -4,7 +4,7 @@ import { useRef } from "preact/hooks";
 import { say, sayCount } from "../words/words";
 import { unseen, whyNotApprove } from "../state/arming";
 import { decide, hold, holdState, shownSentences, type Decision } from "../state/decisions";
-import { isReachable, may, panel, proposal, run, screen, selectStep, selectedStep } from "../state/store";
+import { isReachable, link, may, panel, proposal, run, screen, selectStep, selectedStep } from "../state/store";
 import { OtherDialog } from "./other-dialog";
 import { RejectDialog } from "./reject-dialog";
 
@@ -18,14 +18,15 @@ const open = signal<"" | "reject" | "other">("");
 export function HoldButton() {
   const state = holdState.value;
   const isHeld = RESTING.has(run.value?.phase ?? "");
+  const isLost = link.value === "lost"; // a press is still tried, and says that it did not arrive
   return (
     <section class="hold-area" aria-label={say("act.hold")}>
       {isHeld ? (
         <ResumeButton />
       ) : (
-        <button type="button" class="hold" onClick={() => void hold()}>
+        <button type="button" class={isLost ? "hold unreachable" : "hold"} onClick={() => void hold()}>
           <b>{say("act.hold")}</b>
-          <small>{say("act.hold.note")}</small>
+          <small>{say(isLost ? "link.lost" : "act.hold.note")}</small>
         </button>
       )}
       <p class={`note ${state}`} role="status">

@@ -1,10 +1,22 @@
-// What became of the last answer.
-import { result } from "../state/store";
+// What became of the last answer; a no is brought into view wherever the list stands.
+import { useEffect, useRef } from "preact/hooks";
+import { result, type Result } from "../state/store";
 import { say } from "../words/words";
 
 export function ResultBox() {
+  const box = useRef<HTMLDivElement>(null);
   const last = result.value;
-  if (last === null) return null;
+  useEffect(() => {
+    if (last !== null && last.kind !== "recorded") box.current?.scrollIntoView({ block: "nearest" });
+  }, [last]);
+  return last === null ? null : (
+    <div ref={box}>
+      <Answer last={last} />
+    </div>
+  );
+}
+
+function Answer({ last }: { last: Result }) {
   if (last.kind === "recorded") return <p class="result good" role="status">{last.words}</p>;
   if (last.kind === "refused") return <p class="result bad" role="alert">{last.words}</p>;
   if (last.kind === "unknown") {

@@ -109,7 +109,7 @@ export function HealthScreen() {
         <dl class="health">
           <Line name={say("health.server")} isGood words={`${health.server.version}, ${say("health.uptime", { seconds: inNumbers(health.server.uptime_s) })}, ${sayCount("health.clients", health.server.clients)}`} />
           <Line name={say("health.run")} isGood={health.run.is_alive} words={`${sayWord("phase", health.run.phase)}, ${health.run.is_alive ? say("health.alive") : say("health.dead")}`} />
-          <Line name={say("health.cell")} isGood={health.cell.state === "live"} words={health.cell.age_ms === null ? say("link.absent") : `${say("link.live")}, ${inSeconds(health.cell.age_ms / 1000)}`} />
+          <Line name={say("health.cell")} isGood={health.cell.state === "live"} words={cellWords(health.cell)} />
           <Line name={say("health.journal")} isGood={health.journal.is_whole !== false} words={journalWords(health.journal)} />
           <Line name={say("health.disk")} isGood={health.disk_free_bytes > 1e9} words={`${inNumbers(health.disk_free_bytes / 1e9, 1)} GB`} />
           <Line name={say("health.page")} isGood words={say("health.frame", { ms: inNumbers(window.__m.cost.js_ms, 1), calls: window.__m.cost.calls })} />
@@ -117,6 +117,11 @@ export function HealthScreen() {
       )}
     </div>
   );
+}
+
+function cellWords({ state, age_ms }: Health["cell"]): string {
+  if (age_ms === null || state === "absent") return say("link.absent");
+  return state === "live" ? `${say("link.live")}, ${inSeconds(age_ms / 1000)}` : say("link.stale", { seconds: inNumbers(age_ms / 1000) });
 }
 
 function journalWords({ run, n, is_whole }: Health["journal"]): string {

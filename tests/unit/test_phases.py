@@ -1,0 +1,35 @@
+"""What a page says that a run does: never that it waits before an answer would be heard."""
+
+from __future__ import annotations
+
+import pytest
+
+from builders_words import CALLS, STUD
+from sitewright.central_controller.cycle_state import CycleState
+from sitewright.central_controller.events import ProposalMade, StepSummary
+from sitewright.central_controller.site_state import SiteState
+from sitewright.interaction_twin.state_document import Phase, Standing, asked_plan, phase_of
+
+PLAN = "f" * 64
+STEPS = tuple(
+    StepSummary(number=n, call=c, duration_s=1.0, trajectories=0, closest_distance_m=None)
+    for n, c in enumerate(CALLS, start=1)
+)
+MADE = ProposalMade(fingerprint=PLAN, target=STUD, site_serial=0, steps=STEPS)
+
+
+def open_plan() -> CycleState:
+    return CycleState(site=SiteState(), proposal=MADE, epoch=1)
+
+
+@pytest.mark.parametrize(
+    ("asks", "phase"),
+    [
+        ("", Phase.PLANNING),
+        (asked_plan("0" * 64, 1), Phase.PLANNING),
+        (asked_plan(PLAN, 2), Phase.PLANNING),
+        (asked_plan(PLAN, 1), Phase.WAITING),
+    ],
+)
+def test_a_plan_waits_for_a_person_once_an_answer_would_be_heard(asks: str, phase: Phase) -> None:
+    assert phase_of(open_plan(), Standing(is_active=True, asks=asks)) is phase
