@@ -72,6 +72,12 @@ def pose_json(pose: Pose) -> dict[str, Json]:
     }
 
 
+def docked_at(cell: Cell, tool: EndEffector) -> Pose | None:
+    """Return where an end effector's mount is in its dock; None if it has none."""
+    station = cell.station_by_id.get(tool.station) if tool.station else None
+    return None if station is None else station.world_T_station @ tool.station_T_mount
+
+
 @dataclass
 class _Scene:
     source: SceneSource
@@ -171,10 +177,8 @@ class _Scene:
         }
 
     def _docked(self, tool: EndEffector) -> Json:
-        station = self.source.cell.station_by_id.get(tool.station) if tool.station else None
-        if station is None:
-            return None
-        return pose_json(station.world_T_station @ tool.station_T_mount)
+        pose = docked_at(self.source.cell, tool)
+        return None if pose is None else pose_json(pose)
 
     def _description(self, description: Description) -> Json:
         return {

@@ -16,8 +16,10 @@ from sitewright.interaction_twin.drawing.bars import Bar
 from sitewright.interaction_twin.event_document import event_document
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.narration import narrate
+from sitewright.interaction_twin.replay_document import ReplaySource, replay_document
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.report.timeline import timeline
+from sitewright.interaction_twin.scene_document import docked_at
 from sitewright.interaction_twin.web.twin import Document
 from sitewright.journal.sqlite import read_records
 
@@ -44,6 +46,24 @@ def run_document(project: Project, run: str, labels: Labels) -> Document | None:
         "planned": bars_document(bars.planned, labels),
         "actual": bars_document(bars.actual, labels),
     }
+
+
+def replay_of(project: Project, run: str) -> Document | None:
+    """Return everything that was sensed in a run; None if there is none."""
+    folder = next((f for f in run_folders(project.folder / "runs") if f.run == run), None)
+    if folder is None:
+        return None
+    chain, design = chain_of(folder), site_of(project.model)
+    before = fold_of(chain[:-1], design)[0].site if len(chain) > 1 else design
+    docks = ((t.id, docked_at(project.cell, t)) for t in project.cell.end_effector_by_id.values())
+    return replay_document(
+        ReplaySource(
+            run=run,
+            before=before,
+            world_T_mount={tool: pose for tool, pose in docks if pose is not None},
+            history=history(folder),
+        )
+    )
 
 
 def history(folder: RunFolder) -> list[Stamped]:

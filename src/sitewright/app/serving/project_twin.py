@@ -22,7 +22,15 @@ from sitewright.app.serving.proposal_shelf import ProposalShelf
 from sitewright.app.serving.run_process import RunLink
 from sitewright.app.serving.run_view import RunView
 from sitewright.app.serving.scene_shelf import SceneShelf
-from sitewright.app.serving.side_work import SideWork, StepAsked, all_runs, is_whole, one_run, why
+from sitewright.app.serving.side_work import (
+    SideWork,
+    StepAsked,
+    all_runs,
+    is_whole,
+    one_run,
+    replay,
+    why,
+)
 from sitewright.app.serving.telling import by_hand_document, ways_reply
 from sitewright.central_controller.codec import to_json
 from sitewright.central_controller.fingerprint import check_code
@@ -172,7 +180,7 @@ class ProjectTwin:
         if found is None:
             return None
         run, proposal = found
-        story = story_of(wanted, self._view.records.stamped)
+        story = story_of(wanted, await self._history(run))
         if story is None:
             return None
         before = self._view.records.approved_before(wanted)
@@ -208,6 +216,10 @@ class ProjectTwin:
     async def run(self, run: str) -> Document | None:
         """Return one run with its events and bars."""
         return await self._side.do(one_run, self._folder, self._cell_file, run)
+
+    async def replay(self, run: str) -> Document | None:
+        """Return everything that was sensed in a run."""
+        return await self._side.do(replay, self._folder, self._cell_file, run)
 
     async def why(self, fingerprint: str, number: int, language: str) -> Document | None:
         """Return why a step of a proposal is as it is."""

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import ParamSpec, TypeVar
 
 from sitewright.app.project import read_project
-from sitewright.app.serving.past_runs import run_document, runs_document
+from sitewright.app.serving.past_runs import replay_of, run_document, runs_document
 from sitewright.errors import BackendError, JournalError
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.labels import labels_of
@@ -70,6 +70,11 @@ def one_run(folder: Path, cell: Path | None, run: str) -> Document | None:
     """Return a run with its events and bars."""
     project = read_project(folder, cell=cell)
     return run_document(project, run, labels_of(project.model, project.cell))
+
+
+def replay(folder: Path, cell: Path | None, run: str) -> Document | None:
+    """Return everything that was sensed in a run."""
+    return replay_of(read_project(folder, cell=cell), run)
 
 
 @dataclass(frozen=True, slots=True)

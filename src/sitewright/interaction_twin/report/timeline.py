@@ -19,10 +19,15 @@ from sitewright.robot_team.driver import SkillReport
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Timeline:
-    """Bars on the cell's clock, before the axis is shifted to the first skill."""
+    """Bars on one axis.
+
+    Attributes:
+        zero_s: The cell's clock where the axis begins: at the first skill.
+    """
 
     planned: tuple[Bar, ...] = ()
     actual: tuple[Bar, ...] = ()
+    zero_s: float = 0.0
 
     @property
     def makespan_s(self) -> float:
@@ -125,4 +130,5 @@ def _from_zero(found: Timeline) -> Timeline:
     return Timeline(
         planned=tuple(replace(b, starts_s=b.starts_s - zero_s) for b in found.planned),
         actual=tuple(replace(b, starts_s=b.starts_s - zero_s) for b in found.actual),
+        zero_s=zero_s,
     )

@@ -167,6 +167,13 @@ class Api:
         found = await self._twin.run(wanted)
         return answer(unknown("run", wanted)) if found is None else JSONResponse(found)
 
+    async def replay(self, request: Request, person: Person) -> Response:
+        """Return everything that was sensed in a run."""
+        del person
+        wanted = request.path_params["run"]
+        found = await self._twin.replay(wanted)
+        return answer(unknown("run", wanted)) if found is None else JSONResponse(found)
+
     async def why(self, request: Request, person: Person) -> Response:
         """Return why a step is there, by this robot, in this way."""
         del person

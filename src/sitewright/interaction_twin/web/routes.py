@@ -52,6 +52,7 @@ ROUTES: tuple[ApiRoute, ...] = (
     ApiRoute("GET", "/api/blobs/{sha256}", "blob", _LOOK),
     ApiRoute("GET", "/api/runs", "runs", _LOOK),
     ApiRoute("GET", "/api/runs/{run}", "run", _LOOK),
+    ApiRoute("GET", "/api/runs/{run}/replay", "replay", _LOOK),
     ApiRoute("GET", "/api/runs/{run}/report", "report", _LOOK),
     ApiRoute("GET", "/api/runs/{run}/schedule.svg", "run_schedule", _LOOK),
     ApiRoute("GET", "/api/schedule", "schedule", _LOOK),

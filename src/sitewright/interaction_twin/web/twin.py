@@ -66,6 +66,10 @@ class Twin(Protocol):
         """Return one run with its events and bars."""
         ...
 
+    async def replay(self, run: str) -> Document | None:
+        """Return everything that was sensed in a run, to be looked at again."""
+        ...
+
     async def why(self, fingerprint: str, number: int, language: str) -> Document | None:
         """Return why a step of a proposal is as it is."""
         ...

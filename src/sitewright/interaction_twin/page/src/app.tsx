@@ -41,9 +41,10 @@ function body(name: Screen) {
 
 declare global {
   interface Window {
-    /** For tests: where a component is on the picture, what is shown, what was tried, what would be played. */
+    /** For tests: where a component is on the picture and in the site, what is shown, what was tried, what would be played. */
     __app: {
       project: (component: string) => { x: number; y: number } | null;
+      placeOf: (component: string) => [number, number, number] | null;
       postures: () => number[][];
       pixels: () => string;
       tried: () => { lit: string[]; q_rad: Record<string, number[]> };
@@ -54,6 +55,7 @@ declare global {
 
 window.__app = {
   project: (component) => shownPicture()?.project(component) ?? null,
+  placeOf: (component) => shownPicture()?.placeOf(component) ?? null,
   postures: () => shownPicture()?.postures() ?? [],
   tried: () => ({ lit: shownPicture()?.shownRefused?.names ?? [], q_rad: shownPicture()?.shownRefused?.postures ?? {} }),
   pixels: () => shownPicture()?.stage.pixels() ?? "",

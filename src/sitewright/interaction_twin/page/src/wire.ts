@@ -306,6 +306,41 @@ export interface Bar {
   fingerprint: string;
 }
 
+export interface SensedRobot {
+  q_rad: number[];
+  mounted: string | null;
+  aperture_m: number;
+  gripped: string | null;
+}
+
+/** What was sensed otherwise than before. */
+export interface SensedChange {
+  robots: Record<string, SensedRobot>;
+  pieces: Record<string, Pose>;
+  gone: string[];
+}
+
+export interface ReplaySkill {
+  robot: string;
+  step: number;
+  fingerprint: string;
+  starts_s: number;
+  duration_s: number;
+}
+
+/** A whole run; times are seconds of the cell since its first skill. */
+export interface ReplayRecord {
+  run: string;
+  duration_s: number;
+  start: SensedChange;
+  docks: Record<string, Pose>;
+  placed: Record<string, string>;
+  events: { n: number; at_s: number }[];
+  moments: (SensedChange & { n: number; at_s: number })[];
+  placings: { n: number; at_s: number; target: string; piece: string | null }[];
+  skills: ReplaySkill[];
+}
+
 /** Body of every answer that is no success. */
 export interface Refusal {
   error: string;

@@ -1,18 +1,21 @@
 // The cell as a picture: robots as sensed or as rehearsed, components, zones, the way of a step.
-import { Box3, BoxGeometry, CatmullRomCurve3, Group, Matrix4, Mesh, TubeGeometry, Vector3, type Intersection, type Object3D } from "three";
+import { BoxGeometry, CatmullRomCurve3, Group, Matrix4, Mesh, TubeGeometry, Vector3, type Intersection, type Object3D } from "three";
 import type { Rehearsal } from "../preview/rehearsal";
+import type { Replay } from "../preview/replay";
 import type { ComponentRecord, Scene, StepRecord, Vec3 } from "../wire";
 import type { View } from "./camera";
 import { Clash, type Refused } from "./clash";
+import { asBuilding, boundsOf, boxOf, lookedAt } from "./bounds";
 import { bodyColour, bodyMaterial, COLOUR, veil } from "./looks";
 import { Pieces } from "./pieces";
 import { matrixOf } from "./poses";
 import { Shapes } from "./shapes";
 import { Stage } from "./stage";
 import { ground, lightUp, surroundings } from "./surroundings";
+import { Then } from "./then";
 import { Team, type TeamLook } from "./team";
 
-export type Mode = "now" | "preview" | "target" | "as-built";
+export type Mode = "now" | "preview" | "replay" | "target" | "as-built";
 
 export interface Tag {
   id: string;
@@ -46,6 +49,7 @@ export class CellPicture {
   private pieces: Pieces | null = null;
   private building: Pieces | null = null;
   private rehearsal: Rehearsal | null = null;
+  private then: Then | null = null;
   private still = new Group();
   private refused: Refused | null = null;
   private clash: Clash | null = null;
@@ -118,7 +122,7 @@ export class CellPicture {
     const gone = [...this.sensed.keys()].filter((id) => !poses.has(id));
     this.sensed.clear();
     for (const [id, pose] of poses) this.sensed.set(id, pose);
-    if (this.mode === "preview") return;
+    if (this.mode === "preview" || this.mode === "replay") return;
     const documented = new Map(this.scene?.components.map((c) => [c.id, c]));
     for (const id of gone) {
       const record = documented.get(id);
@@ -148,11 +152,24 @@ export class CellPicture {
     this.lit = colourById;
     this.pieces?.setLit(colourById);
     this.building?.setLit(colourById);
+    this.then?.setLit(colourById);
     this.stage.ask();
   }
 
   setRehearsal(rehearsal: Rehearsal | null): void {
     this.rehearsal = rehearsal;
+    this.refresh();
+  }
+
+  /** Shows a run as it was in mode `replay`; null puts it away. */
+  setReplay(replay: Replay | null): void {
+    if (this.then !== null) {
+      this.parts.remove(this.then.pieces.root);
+      this.then.pieces.dispose();
+    }
+    this.then = replay === null || this.scene === null ? null : new Then(replay, this.scene, this.shapes);
+    if (this.then !== null) this.parts.add(this.then.pieces.root);
+    this.then?.setLit(this.lit);
     this.refresh();
   }
 
@@ -164,7 +181,7 @@ export class CellPicture {
 
   setTime(time_s: number): void {
     this.time_s = time_s;
-    if (this.mode === "preview") this.poseRehearsal();
+    if (this.mode === "preview" || this.mode === "replay") this.poseRehearsal();
     this.stage.ask();
   }
 
@@ -226,16 +243,26 @@ export class CellPicture {
     this.followed = robot;
   }
 
+  /** Returns where a component is in the site, in the pieces that are shown; null if it is not. */
+  placeOf(component: string): Vec3 | null {
+    const pose = this.shownPieces?.seenPoseOf(component);
+    return pose === undefined ? null : new Vector3().setFromMatrixPosition(pose).toArray();
+  }
+
+  private get shownPieces(): Pieces | null {
+    return this.mode === "replay" ? (this.then?.pieces ?? null) : this.pieces;
+  }
+
   /** Returns where on the picture a component's middle is. */
   project(component: string): { x: number; y: number } | null {
-    const pose = this.pieces?.poseOf(component);
+    const pose = this.shownPieces?.poseOf(component);
     return pose === undefined ? null : this.stage.project(new Vector3().setFromMatrixPosition(pose));
   }
 
   /** Returns where the robots' number plates belong. */
   tags(): Tag[] {
     if (this.mode === "target" || this.mode === "as-built") return [];
-    const team = this.mode === "preview" ? this.rehearsed : this.live;
+    const team = this.mode === "preview" || this.mode === "replay" ? this.rehearsed : this.live;
     return (this.scene?.robots ?? []).flatMap((robot) => {
       if (team === null) return [];
       const foot = team.arms.get(robot.id)?.body.foot;
@@ -253,7 +280,8 @@ export class CellPicture {
   private refresh(): void {
     const { live, rehearsed, pieces } = this;
     if (live === null || rehearsed === null || pieces === null) return;
-    const isPreview = this.mode === "preview";
+    const isReplay = this.mode === "replay" && this.then !== null;
+    const isPreview = this.mode === "preview" || isReplay;
     const isModel = this.mode === "target" || this.mode === "as-built";
     this.putClashAway();
     live.root.visible = !isPreview && !isModel;
@@ -265,13 +293,17 @@ export class CellPicture {
     rehearsed.root.traverse((node) => {
       node.castShadow = isPreview;
     });
-    pieces.root.visible = this.mode !== "target";
+    pieces.root.visible = this.mode !== "target" && !isReplay;
+    if (this.then !== null) {
+      this.then.pieces.root.visible = isReplay;
+      this.then.setShown(this.isShown);
+    }
     pieces.setShown((component) => this.isShown(component) && isOfMode(component, this.mode));
     this.building?.setShown(this.isShown);
     for (const zone of this.zones) zone.visible = this.mode !== "target";
     if (this.building !== null) this.building.root.visible = this.mode === "target";
     for (const [id, pose] of this.sensedPoses) pieces.setPose(id, pose);
-    this.path.visible = this.step !== null && this.path.geometry.attributes["position"] !== undefined && !isModel;
+    this.path.visible = this.step !== null && this.path.geometry.attributes["position"] !== undefined && !isModel && !isReplay;
     this.poseRehearsal();
     this.stage.ask();
   }
@@ -279,6 +311,12 @@ export class CellPicture {
   private poseRehearsal(): void {
     const { rehearsed, rehearsal, step } = this;
     if (rehearsed === null) return;
+    if (this.mode === "replay" && this.then !== null) {
+      rehearsed.root.visible = true;
+      this.then.show(this.time_s, rehearsed);
+      rehearsed.setShown(() => true);
+      return;
+    }
     if (this.mode === "preview" && rehearsal !== null) {
       rehearsed.root.visible = true;
       rehearsal.pose(this.time_s, rehearsed, this.pieces);
@@ -328,7 +366,7 @@ export class CellPicture {
     if (place !== undefined) this.onGround(place.x, place.y);
     for (const hit of hits) {
       if (!isSeen(hit.object)) continue;
-      const component = this.pieces?.componentAt(hit) ?? this.building?.componentAt(hit);
+      const component = this.then?.pieces.componentAt(hit) ?? this.pieces?.componentAt(hit) ?? this.building?.componentAt(hit);
       if (component !== undefined) {
         this.onPick(component.id);
         return;
@@ -341,15 +379,12 @@ export class CellPicture {
     this.stage.world.remove(this.parts);
     this.pieces?.dispose();
     this.building?.dispose();
+    this.then?.pieces.dispose();
+    this.then = null;
     this.shapes.dispose();
     this.shapes = new Shapes({});
     this.sensed.clear();
   }
-}
-
-/** Returns what is to be built and what is built, all of it as bodies. */
-function asBuilding(scene: Scene): ComponentRecord[] {
-  return scene.components.filter((c) => c.layer === "target" || c.layer === "as_built").map((c) => ({ ...c, layer: "as_built" }));
 }
 
 function isSeen(object: Object3D | null): boolean {
@@ -359,27 +394,4 @@ function isSeen(object: Object3D | null): boolean {
 function isOfMode(component: ComponentRecord, mode: Mode): boolean {
   if (mode === "as-built") return component.layer === "as_built" || component.layer === "virtual_collision";
   return true;
-}
-
-function boundsOf(scene: Scene): Box3 {
-  const bounds = new Box3();
-  for (const robot of scene.robots) bounds.expandByPoint(new Vector3(...robot.world_T_base.p_m));
-  for (const { world_T } of scene.components) if (world_T !== null) bounds.expandByPoint(new Vector3(...world_T.p_m));
-  return bounds;
-}
-
-function boxOf(components: readonly ComponentRecord[]): Box3 {
-  const box = new Box3();
-  for (const { world_T } of components) if (world_T !== null) box.expandByPoint(new Vector3(...world_T.p_m));
-  return box.isEmpty() ? new Box3(new Vector3(-1, -1, 0), new Vector3(1, 1, 1)) : box.expandByScalar(1.0);
-}
-
-/** Returns the box that the eye is put to: where robots stand and pieces lie, with room for arms. */
-function lookedAt(scene: Scene, bounds: Box3): Box3 {
-  const box = bounds.clone();
-  for (const robot of scene.robots) {
-    const base = new Vector3(...robot.world_T_base.p_m);
-    box.expandByPoint(base.clone().add(new Vector3(0, 0, 2.1)));
-  }
-  return box.expandByVector(new Vector3(0.35, 0.25, 0));
 }

@@ -1,7 +1,7 @@
 // Components as instances: one mesh and one set of edges per shape and look, whatever their number.
-import { Color, Group, InstancedMesh, LineSegments, Matrix4, Vector3, type Intersection } from "three";
+import { Color, Group, InstancedMesh, LineSegments, Matrix4, type Intersection } from "three";
 import type { ComponentRecord } from "../wire";
-import { COLOUR, colourOf, edgeMaterial, lookOf, pieceMaterial, type PieceLook } from "./looks";
+import { colourOf, edgeMaterial, lookOf, pieceMaterial, type PieceLook } from "./looks";
 import { matrixOf } from "./poses";
 import type { Shapes } from "./shapes";
 
@@ -41,6 +41,11 @@ export class Pieces {
 
   poseOf(id: string): Matrix4 | undefined {
     return this.poses.get(id);
+  }
+
+  /** Returns the pose of a component that is shown. */
+  seenPoseOf(id: string): Matrix4 | undefined {
+    return this.hidden.has(id) ? undefined : this.poses.get(id);
   }
 
   setPose(id: string, world_T: Matrix4): void {
@@ -133,11 +138,3 @@ function edgesOf(mesh: InstancedMesh, first: ComponentRecord, look: PieceLook, s
   lines.renderOrder = 2;
   return lines;
 }
-
-/** Returns the middle of a component in the site. */
-export function middleOf(pieces: Pieces, id: string): Vector3 | undefined {
-  const pose = pieces.poseOf(id);
-  return pose === undefined ? undefined : new Vector3().setFromMatrixPosition(pose);
-}
-
-export const SELECTED = COLOUR.selected;

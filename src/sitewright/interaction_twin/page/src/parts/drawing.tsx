@@ -75,7 +75,8 @@ export function Drawing({ path, revision = 0, items, isSelected, onPick, onDrawn
     const all = picture === null ? [] : items(picture);
     if (by === 0 || all.length === 0) return;
     event.preventDefault();
-    const next = all[Math.min(Math.max(all.findIndex(isSelected) + by, 0), all.length - 1)];
+    const at = by > 0 ? all.map(isSelected).lastIndexOf(true) : all.findIndex(isSelected);
+    const next = all[Math.min(Math.max(at + by, 0), all.length - 1)];
     next?.scrollIntoView({ block: "nearest", inline: "nearest" });
     choose(next);
   };

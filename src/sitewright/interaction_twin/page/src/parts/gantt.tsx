@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { worked } from "../state/schedule";
 import { setTime } from "../state/playing";
 import { inLanguage } from "../state/server";
-import { mode, proposal, replayed, run, selectedStep, selectStep, time_s } from "../state/store";
+import { mode, proposal, replay, run, selectedStep, selectStep, time_s } from "../state/store";
 import { say } from "../words/words";
 import { Drawing } from "./drawing";
 
@@ -11,9 +11,7 @@ const WIDTHS_PX = 16;
 
 export function Gantt() {
   const [box, width] = useWidth();
-  const { kind, path } = shown();
-  const selected = kind === "plan" ? selectedStep.value : null;
-  const at_s = kind === "plan" && mode.value === "preview" ? time_s.value : null;
+  const { path, at_s, kinds, isSelected, choose } = shown();
   return (
     <div class="strip" ref={box}>
       <Drawing
@@ -21,26 +19,44 @@ export function Gantt() {
         label={say("gantt.label")}
         path={path === null || width === 0 ? null : `${inLanguage(path)}&width=${width}`}
         revision={worked.value}
-        items={(picture) => [...picture.querySelectorAll<SVGElement>("[data-step]")].sort(byStart)}
-        isSelected={(bar) => stepOf(bar) === selected}
-        onPick={(bar) => kind === "plan" && choose(bar)}
+        items={(picture) => [...picture.querySelectorAll<SVGElement>(kinds)].sort((a, b) => startOf(a) - startOf(b) || stepOf(a) - stepOf(b))}
+        isSelected={isSelected}
+        onPick={choose}
         onDrawn={(picture) => drawMoment(picture, at_s)}
       />
     </div>
   );
 }
 
-/** The schedule of the plan that is looked at, else of the whole run. */
-function shown(): { kind: "plan" | "run"; path: string | null } {
-  const plan = replayed.value ?? proposal.value;
-  if (plan !== null) return { kind: "plan", path: `/api/proposals/${plan.fingerprint}/schedule.svg` };
+interface Shown {
+  path: string | null;
+  /** Where the line of the moment is; null without one. */
+  at_s: number | null;
+  /** Which bars can be selected. */
+  kinds: ".actual" | "[data-step]";
+  isSelected: (bar: SVGElement) => boolean;
+  choose: (bar: SVGElement) => void;
+}
+
+/** The schedule of the run that is looked at again, of the open plan, else of the whole run. */
+function shown(): Shown {
+  const then = replay.value;
+  const at_s = mode.value === "preview" || then !== null ? time_s.value : null;
+  if (then !== null) {
+    const begun = new Set(then.skillsAt(time_s.value).map((skill) => skill.starts_s.toFixed(3)));
+    return { path: `/api/runs/${then.record.run}/schedule.svg`, at_s, kinds: ".actual", isSelected: (bar) => begun.has(bar.dataset["startsS"] ?? ""), choose: (bar) => setTime(startOf(bar)) };
+  }
+  const plan = proposal.value;
+  if (plan !== null) {
+    const selected = selectedStep.value;
+    return { path: `/api/proposals/${plan.fingerprint}/schedule.svg`, at_s, kinds: "[data-step]", isSelected: (bar) => stepOf(bar) === selected, choose };
+  }
   const name = run.value?.run ?? "";
-  return { kind: "run", path: name === "" ? null : `/api/runs/${name}/schedule.svg` };
+  return { path: name === "" ? null : `/api/runs/${name}/schedule.svg`, at_s: null, kinds: ".actual", isSelected: () => false, choose: () => undefined };
 }
 
 const stepOf = (bar: SVGElement): number => Number(bar.dataset["step"]);
 const startOf = (bar: SVGElement): number => Number(bar.dataset["startsS"]);
-const byStart = (a: SVGElement, b: SVGElement): number => stepOf(a) - stepOf(b) || startOf(a) - startOf(b);
 
 function choose(bar: SVGElement): void {
   selectStep(stepOf(bar));

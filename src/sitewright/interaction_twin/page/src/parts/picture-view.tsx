@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { CellPicture, type Mode, type Tag } from "../cell/picture";
 import { COLOUR, robotColour } from "../cell/looks";
 import { followPlan, playClock } from "../state/playing";
+import { arrived, followReplay } from "../state/replaying";
 import { posesIn } from "../state/link";
 import {
   age_s,
@@ -16,7 +17,7 @@ import {
   mode,
   piecePoses,
   refused,
-  replayed,
+  replay,
   rehearsal,
   run,
   scene,
@@ -34,7 +35,7 @@ import { isDrawingZone, zoneCentre, zoneSize } from "./zone-dialog";
 import type { RobotRecord } from "../wire";
 import { Transport } from "./transport";
 
-const MODES: readonly Mode[] = ["now", "preview", "target", "as-built"];
+const MODES = ["now", "preview", "target", "as-built"] as const satisfies readonly Mode[];
 const tags = signal<readonly Tag[]>([]);
 const trouble = signal("");
 const followed = signal<string | null>(null);
@@ -73,7 +74,7 @@ export function PictureView() {
   );
 }
 
-const isRehearsed = (): boolean => mode.value === "preview" && screen.value !== "building";
+const isRehearsed = (): boolean => (mode.value === "preview" || mode.value === "replay") && screen.value !== "building";
 
 const isOld = (): boolean => mode.value === "now" && link.value !== "live" && !isFrozen;
 
@@ -88,7 +89,7 @@ function Notice() {
       </p>
     );
   }
-  if (isRehearsed()) return <p class="over">{say(replayed.value === null ? "picture.preview" : "picture.replay")}</p>;
+  if (isRehearsed()) return <p class="over">{say(mode.value === "replay" ? "picture.replay" : "picture.preview")}</p>;
   if (screen.value === "building" || !isOld() || link.value === "lost" || link.value === "connecting") return null;
   return <p class="over old">◷ {say("picture.stale", { seconds: age_s.value.toFixed(1) })}</p>;
 }
@@ -190,14 +191,19 @@ function attach(canvas: HTMLCanvasElement, frame: HTMLElement): () => void {
       made.setRefused(refused.value);
     }),
     effect(() => made.setRehearsal(rehearsal.value)),
+    effect(() => made.setReplay(replay.value)),
     effect(() => {
       void rehearsal.value;
       void scene.value;
       made.setStep(run.value?.phase === "running" && mode.value === "now" ? null : step.value);
     }),
-    effect(() => made.setTime(time_s.value)),
+    effect(() => {
+      void arrived.value;
+      made.setTime(time_s.value);
+    }),
     effect(() => made.setDraft(isDrawingZone.value ? { centre: zoneCentre.value, size: zoneSize.value } : null)),
     followPlan(made),
+    followReplay(),
     playClock(),
   ];
   return () => {
@@ -229,17 +235,15 @@ function placePieces(made: CellPicture): void {
 function filter(made: CellPicture): void {
   const hidden = hiddenIds.value;
   const all = scene.value?.components ?? [];
-  const played = replayed.value;
-  const carried = new Set(played?.steps.map((s) => s.holds_after?.piece));
-  const placed = new Set(all.filter((c) => c.layer === "as_built" && !carried.has(c.made_of ?? undefined)).map((c) => c.made_of));
+  const placed = mode.value === "replay" ? new Set() : new Set(all.filter((c) => c.layer === "as_built").map((c) => c.made_of));
   const standingNow = screen.value === "building" && standing.value !== null ? standingIds(all, standing.value) : null;
-  made.setFilter((c) => !hidden.has(c.id) && !placed.has(c.id) && c.id !== played?.target && (standingNow === null || c.layer === "virtual_collision" || standingNow.has(c.id)));
+  made.setFilter((c) => !hidden.has(c.id) && !placed.has(c.id) && (standingNow === null || c.layer === "virtual_collision" || standingNow.has(c.id)));
 }
 
 function lit(): Map<string, string> {
   const found = new Map(blockers.value.map((id) => [id, COLOUR.blocker] as [string, string]));
   const chosen = step.value;
-  const touched = chosen === null || run.value?.phase === "finished" ? [] : [...chosen.arguments, chosen.holds_before?.piece, chosen.holds_after?.piece];
+  const touched = chosen === null || mode.value === "replay" || run.value?.phase === "finished" ? [] : [...chosen.arguments, chosen.holds_before?.piece, chosen.holds_after?.piece];
   for (const id of touched) if (id !== undefined && !found.has(id)) found.set(id, COLOUR.selected);
   if (selectedComponent.value !== null) found.set(selectedComponent.value, COLOUR.selected);
   return found;

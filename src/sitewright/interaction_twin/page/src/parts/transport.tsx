@@ -1,13 +1,13 @@
-// Playing a plan: scrub, rewind, step by step, over the exact trajectories.
-import { jump, setTime } from "../state/playing";
-import { isPlaying, proposal, rehearsal, rehearsalTrouble, replayed, time_s } from "../state/store";
+// Playing a plan or a run: scrub, rewind, step by step, over the exact trajectories.
+import { jump, played, setTime } from "../state/playing";
+import { isPlaying, proposal, rehearsalTrouble, time_s } from "../state/store";
 import { inNumbers, say } from "../words/words";
 
 export function Transport() {
-  const played = rehearsal.value;
-  const end_s = played?.duration_s ?? 0;
-  if (played === null) {
-    const words = rehearsalTrouble.value !== "" ? say("preview.failed", { reason: rehearsalTrouble.value }) : proposal.value === null && replayed.value === null ? say("preview.none") : say("preview.loading");
+  const shown = played();
+  const end_s = shown?.duration_s ?? 0;
+  if (shown === null) {
+    const words = rehearsalTrouble.value !== "" ? say("preview.failed", { reason: rehearsalTrouble.value }) : proposal.value === null ? say("preview.none") : say("preview.loading");
     return (
       <p class="transport" role="status">
         {words}

@@ -53,6 +53,11 @@ export class Rehearsal {
     return this.motions.map((motion) => this.trajectories.get(motion.trajectory_sha256)?.sha256 ?? "");
   }
 
+  /** Where it can be stopped: where steps begin, and the end. */
+  get stops(): number[] {
+    return [...new Set([...this.proposal.steps.map((step) => step.starts_s), this.duration_s])];
+  }
+
   /** Returns the joints of a robot at a time. */
   postureAt(robot: string, time_s: number): readonly number[] {
     const own = this.motions.filter((motion) => motion.robot === robot);

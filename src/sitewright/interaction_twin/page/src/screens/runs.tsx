@@ -1,10 +1,11 @@
-// Older runs: what happened, and a replay of what was approved and ran.
+// Older runs: what happened, and all of it to be looked at again.
 import { signal } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { setTime } from "../state/playing";
 import { ask, inLanguage } from "../state/server";
-import { mode, replayed } from "../state/store";
-import type { Proposal, RunEvent } from "../wire";
+import { chooseReplay } from "../state/replaying";
+import { isPlaying, mode, replay, time_s } from "../state/store";
+import type { ReplayRecord, RunEvent } from "../wire";
 import { atTime, say, sayWord } from "../words/words";
 
 interface RunLine {
@@ -17,15 +18,19 @@ interface RunLine {
 
 const lines = signal<readonly RunLine[] | null>(null);
 const chosen = signal<{ id: string; events: readonly RunEvent[] } | null>(null);
-const moment = signal(0);
+/** An event that was chosen; of those at one time only one can be. */
+const picked = signal(0);
 const trouble = signal("");
 
 export function RunsPanel() {
   useEffect(() => {
     ask<{ runs: RunLine[] }>("/api/runs").then((answer) => (lines.value = answer.runs), fail);
     return () => {
-      replayed.value = null;
+      isPlaying.value = false;
+      chooseReplay(null);
+      chosen.value = null;
       mode.value = "now";
+      setTime(0);
     };
   }, []);
   return (
@@ -37,7 +42,7 @@ export function RunsPanel() {
         <ul class="run-list">
           {lines.value?.map((line) => (
             <li key={line.id} class={chosen.value?.id === line.id ? "selected" : ""}>
-              <button type="button" onClick={() => void open(line.id)}>
+              <button type="button" onClick={() => void open(line.id).catch(fail)}>
                 <b>{line.id}</b> {sayWord("runs", line.ended)}
                 <small>
                   {atTime(line.started_at_ms)} · {say("runs.installed", { installed: line.installed, targets: line.targets })}
@@ -58,15 +63,16 @@ export function RunsPanel() {
 }
 
 function Happened({ events }: { events: readonly RunEvent[] }) {
-  const at = Math.min(moment.value, events.length - 1);
+  const at = present();
+  const list = useRef<HTMLOListElement>(null);
+  useEffect(() => list.current?.querySelector(".selected")?.scrollIntoView({ block: "nearest" }), [at]);
   return (
     <section class="block">
       <h2>{say("runs.events")}</h2>
-      <input type="range" min={0} max={Math.max(events.length - 1, 0)} value={at} aria-label={say("runs.moment")} onInput={(event) => void show(events, event.currentTarget.valueAsNumber)} />
-      <ol class="journal">
-        {events.map((event, index) => event.words !== "" && (
-          <li key={event.n} class={index === at ? "selected" : ""}>
-            <button type="button" aria-current={index === at ? "true" : undefined} onClick={() => void show(events, index)}>
+      <ol class="journal" ref={list}>
+        {events.map((event) => event.words !== "" && (
+          <li key={event.n} data-event={event.n} class={event.n === at ? "selected" : ""}>
+            <button type="button" aria-current={event.n === at ? "true" : undefined} onClick={() => show(event)}>
               <time>{atTime(event.at_ms)}</time>
               {event.words}
             </button>
@@ -77,28 +83,29 @@ function Happened({ events }: { events: readonly RunEvent[] }) {
   );
 }
 
-async function open(id: string): Promise<void> {
-  await ask<{ events: RunEvent[] }>(inLanguage(`/api/runs/${id}`)).then((answer) => {
-    chosen.value = { id, events: answer.events };
-    void show(answer.events, 0);
-  }, fail);
+/** Returns the number of the event that was the last one at the time that is shown. */
+function present(): number {
+  const stamps = replay.value?.record.events ?? [];
+  const told = new Set(chosen.value?.events.filter((event) => event.words !== "").map((event) => event.n));
+  const before = stamps.filter((stamp) => stamp.at_s <= time_s.value + 1e-6 && told.has(stamp.n));
+  const last = before.at(-1);
+  const wished = before.find((stamp) => stamp.n === picked.value);
+  return (wished?.at_s === last?.at_s ? wished?.n : last?.n) ?? 0;
 }
 
-/** Shows a moment of a run: the plan that it belongs to, at the step that was started last. */
-async function show(events: readonly RunEvent[], index: number): Promise<void> {
-  moment.value = index;
-  const begun = events.slice(0, index + 1).filter((event) => event.kind === "skill_intent").at(-1);
-  const body = (begun?.body ?? null) as { fingerprint?: string; step?: number } | null;
-  if (body?.fingerprint === undefined) return;
-  if (replayed.value?.fingerprint !== body.fingerprint) {
-    const plan = await ask<Proposal>(inLanguage(`/api/proposals/${body.fingerprint}`)).catch(() => null);
-    if (plan === null) return;
-    replayed.value = plan;
-    mode.value = "preview";
-  }
-  const step = replayed.value.steps.find((s) => s.number === body.step);
-  const isOver = events[index]?.kind === "skill_outcome";
-  if (step !== undefined) setTime(step.starts_s + (isOver ? step.duration_s : 0));
+async function open(id: string): Promise<void> {
+  const [run, record] = await Promise.all([ask<{ events: RunEvent[] }>(inLanguage(`/api/runs/${id}`)), ask<ReplayRecord>(`/api/runs/${id}/replay`)]);
+  chosen.value = { id, events: run.events };
+  chooseReplay(record);
+  mode.value = "replay";
+  setTime(0);
+}
+
+/** Shows how everything was when something happened. */
+function show(event: RunEvent): void {
+  isPlaying.value = false;
+  picked.value = event.n;
+  setTime(replay.value?.record.events.find((stamp) => stamp.n === event.n)?.at_s ?? 0);
 }
 
 function fail(error: Error): void {

@@ -2,14 +2,15 @@
 import { effect, untracked } from "@preact/signals";
 import type { CellPicture } from "../cell/picture";
 import { documentedStart, Rehearsal, type StartOfPlan } from "../preview/rehearsal";
+import type { Replay } from "../preview/replay";
 import { readTrajectory, type Trajectory } from "../preview/trajectory";
 import type { Proposal, Scene } from "../wire";
 import { askBytes } from "./server";
-import { isPlaying, mode, proposal, rehearsal, rehearsalTrouble, replayed, scene, selectedStep, time_s } from "./store";
+import { isPlaying, mode, proposal, rehearsal, rehearsalTrouble, replay, scene, selectedStep, time_s } from "./store";
 
 const KEPT = new Map<string, Promise<Trajectory>>();
 
-function trajectory(sha256: string): Promise<Trajectory> {
+export function trajectory(sha256: string): Promise<Trajectory> {
   let found = KEPT.get(sha256);
   if (found === undefined) {
     found = askBytes(`/api/blobs/${sha256}`).then((bytes) => readTrajectory(bytes, sha256));
@@ -38,11 +39,11 @@ function startOf(plan: Proposal, known: Scene, picture: CellPicture): StartOfPla
   return kept.start;
 }
 
-/** Keeps the rehearsal that of the plan on the screen: the open one, or one of an older run. */
+/** Keeps the rehearsal that of the open plan. */
 export function followPlan(picture: CellPicture): () => void {
   let shown = "";
   return effect(() => {
-    const plan = replayed.value ?? proposal.value;
+    const plan = proposal.value;
     const name = `${plan?.fingerprint} ${scene.value?.hash}`;
     if (name === shown) return;
     shown = name;
@@ -65,7 +66,7 @@ export function playClock(): () => void {
   let before = 0;
   let asked = 0;
   const tick = (now: number): void => {
-    const end = rehearsal.value?.duration_s ?? 0;
+    const end = played()?.duration_s ?? 0;
     const next = time_s.value + Math.min((now - before) / 1000, 0.1);
     before = now;
     setTime(Math.min(next, end));
@@ -82,8 +83,12 @@ export function playClock(): () => void {
   });
 }
 
+/** What the time is one of: a run that is looked at again, or the rehearsal of the open plan. */
+export const played = (): Replay | Rehearsal | null => replay.value ?? rehearsal.value;
+
 export function setTime(value: number): void {
   time_s.value = value;
+  if (replay.peek() !== null) return;
   const steps = rehearsal.peek()?.proposal.steps ?? [];
   const inside = steps.filter((s) => s.starts_s <= value + 1e-6).at(-1);
   if (inside !== undefined && inside.number !== selectedStep.peek()) selectedStep.value = inside.number;
@@ -91,10 +96,9 @@ export function setTime(value: number): void {
 
 /** Goes one step back or on. */
 export function jump(by: 1 | -1): void {
-  const steps = rehearsal.value?.proposal.steps ?? [];
-  const starts = [...new Set([...steps.map((s) => s.starts_s), rehearsal.value?.duration_s ?? 0])];
+  const stops = played()?.stops ?? [];
   const now = time_s.value;
-  const goal = by > 0 ? starts.find((s) => s > now + 1e-6) : starts.filter((s) => s < now - 1e-6).at(-1);
+  const goal = by > 0 ? stops.find((s) => s > now + 1e-6) : stops.filter((s) => s < now - 1e-6).at(-1);
   if (goal !== undefined) setTime(goal);
 }
 

@@ -3,6 +3,7 @@ import { computed, signal } from "@preact/signals";
 import type { Refused } from "../cell/clash";
 import type { Mode } from "../cell/picture";
 import type { Rehearsal } from "../preview/rehearsal";
+import type { Replay } from "../preview/replay";
 import type { NoProposal, Proposal, Refusal, RunEvent, RunState, Scene, Session, StepRecord } from "../wire";
 
 export type Screen = "cell" | "building" | "runs" | "audit" | "health";
@@ -41,8 +42,8 @@ export const rehearsal = signal<Rehearsal | null>(null);
 export const rehearsalTrouble = signal("");
 export const time_s = signal(0);
 export const isPlaying = signal(false);
-/** A plan of an older run that is looked at in place of the open one. */
-export const replayed = signal<Proposal | null>(null);
+/** A whole run that is looked at again. */
+export const replay = signal<Replay | null>(null);
 /** How many components stand on the building screen; null shows all. */
 export const standing = signal<number | null>(null);
 
@@ -58,7 +59,7 @@ export const result = signal<Result | null>(null);
 export const proposal = computed<Proposal | null>(() => (asked.value?.fingerprint === undefined ? null : asked.value));
 
 export const step = computed<StepRecord | null>(
-  () => (replayed.value ?? proposal.value)?.steps.find((s) => s.number === selectedStep.value) ?? null,
+  () => proposal.value?.steps.find((s) => s.number === selectedStep.value) ?? null,
 );
 
 /** Whether answers can be given: nothing is queued while there is no connection. */

@@ -246,10 +246,8 @@ export const de: Words = {
   "runs.finished": "beendet",
   "runs.held": "angehalten",
   "runs.report": "Bericht",
-  "runs.replay": "Wiedergabe",
   "runs.installed": "{installed} von {targets} eingebaut",
   "runs.events": "Was geschah",
-  "runs.moment": "Zeitpunkt im Lauf",
   "runs.choose": "Wählen Sie einen Lauf, um zu sehen, was geschah.",
 
   "audit.title": "Wer entschied was, wann, worüber",

@@ -245,10 +245,8 @@ export const en = {
   "runs.finished": "finished",
   "runs.held": "held",
   "runs.report": "Report",
-  "runs.replay": "Replay",
   "runs.installed": "{installed} of {targets} installed",
   "runs.events": "What happened",
-  "runs.moment": "Moment of the run",
   "runs.choose": "Choose a run to see what happened.",
 
   "audit.title": "Who decided what, when, on what",

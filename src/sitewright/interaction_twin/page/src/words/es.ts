@@ -246,10 +246,8 @@ export const es: Words = {
   "runs.finished": "terminada",
   "runs.held": "detenida",
   "runs.report": "Informe",
-  "runs.replay": "Repetición",
   "runs.installed": "{installed} de {targets} instalados",
   "runs.events": "Qué ocurrió",
-  "runs.moment": "Momento de la ejecución",
   "runs.choose": "Elija una ejecución para ver qué ocurrió.",
 
   "audit.title": "Quién decidió qué, cuándo y sobre qué",

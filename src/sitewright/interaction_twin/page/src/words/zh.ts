@@ -246,10 +246,8 @@ export const zh: Words = {
   "runs.finished": "已结束",
   "runs.held": "已暂停",
   "runs.report": "报告",
-  "runs.replay": "重放",
   "runs.installed": "已安装 {installed}/{targets}",
   "runs.events": "经过",
-  "runs.moment": "运行中的时刻",
   "runs.choose": "选择一次运行，查看经过。",
 
   "audit.title": "谁在何时就什么作了什么决定",
