@@ -169,13 +169,15 @@ class _Loop:
     def _is_proven(self, no: NoPlan) -> bool:
         """Tell whether the proven refusals alone leave no plan, proven by the planner of symbols.
 
-        A proof over facts is one over the site only if every fact taken away was proven.
+        A proof over facts is one over the site only if every fact taken away was proven. Who is
+        in whose way was found by collisions, and proves nothing.
         """
-        proven = [n for n in self.lessons.nogoods if n.is_proven]
-        if len(proven) == len(self.lessons.nogoods):
+        base, nogoods = self.lessons.base, self.lessons.nogoods
+        proven = [n for n in nogoods if n.is_proven]
+        if len(proven) == len(nogoods) and not base.excludes:
             return no.is_proven
-        problem = self._problem_with(with_nogoods(self.lessons.base, proven))
-        found = self.ports.symbolic.plan(problem) if proven else None
+        problem = self._problem_with(with_nogoods(replace(base, excludes=frozenset()), proven))
+        found = self.ports.symbolic.plan(problem)
         return isinstance(found, NoPlan) and found.is_proven
 
     def _go_on(
