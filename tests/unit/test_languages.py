@@ -33,6 +33,8 @@ def places(text: object) -> set[str]:
 def test_every_language_says_everything_with_the_same_facts(book: object) -> None:
     for field in fields(ENGLISH):
         mine, theirs = getattr(ENGLISH, field.name), getattr(book, field.name)
+        if field.name == "told":
+            continue  # English needs no entry for what is said in English: see test_sentences
         if not isinstance(mine, Mapping):
             assert places(mine) == places(theirs), field.name
             continue

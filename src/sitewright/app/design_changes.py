@@ -12,9 +12,10 @@ from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.events import AnyEvent, DesignChanged, ProposalSuperseded
 from sitewright.foundation.canonical import sha256_hex
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.sentence import Sentence
 from sitewright.journal.blobs import write_whole
 
-_REASON = "The design changed after this plan was made."
+_REASON = Sentence("The design changed after this plan was made.")
 
 
 def design_change(

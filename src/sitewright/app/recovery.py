@@ -28,6 +28,7 @@ from sitewright.central_controller.events import (
 from sitewright.central_controller.expectation import settled_by_sensors
 from sitewright.central_controller.ports import Question
 from sitewright.central_controller.sensed import differences
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.driver import CommandState, CommandStatus, SkillReport
 from sitewright.robot_team.skill import SKILL_CLASS, SkillClass
 
@@ -49,7 +50,7 @@ def reconcile(run: Run) -> Iterator[AnyEvent]:
             yield SkillReconciled(
                 command_id=intent.command_id,
                 verdict="never",
-                evidence="the cell's ledger does not know it",
+                evidence=Sentence("the cell's ledger does not know it"),
             )
         case _:
             yield from _by_class(run, intent)
@@ -72,12 +73,14 @@ def _by_class(run: Run, intent: SkillIntent) -> Iterator[AnyEvent]:
             yield SkillReconciled(
                 command_id=intent.command_id,
                 verdict="unknown",
-                evidence="accepted by the cell, its end is not recorded",
+                evidence=Sentence("accepted by the cell, its end is not recorded"),
             )
         case SkillClass.SENSABLE:
             yield from _by_sensors(run, intent)
         case SkillClass.ABSOLUTE:
-            yield from _not_done(run, intent, "planned anew from where the robot is sensed")
+            yield from _not_done(
+                run, intent, Sentence("planned anew from where the robot is sensed")
+            )
 
 
 def _by_sensors(run: Run, intent: SkillIntent) -> Iterator[AnyEvent]:
@@ -85,12 +88,14 @@ def _by_sensors(run: Run, intent: SkillIntent) -> Iterator[AnyEvent]:
         report = SkillReport(is_done=True, evidence={"by": "sensors after a restart"})
         yield SkillOutcome(command_id=intent.command_id, report=report, source="sensors")
     else:
-        yield from _not_done(run, intent, "the sensors do not show its effect")
+        yield from _not_done(run, intent, Sentence("the sensors do not show its effect"))
 
 
 def _not_done(run: Run, intent: SkillIntent, evidence: str) -> Iterator[AnyEvent]:
     """Record where things are now, then let the plan go: the next one starts from there."""
-    yield superseded(run, f"{intent.call.skill} was interrupted.", is_replan=False)
+    yield superseded(
+        run, Sentence("{skill} was interrupted.", skill=str(intent.call.skill)), is_replan=False
+    )
     yield from _seen_after(run, intent)
     yield SkillReconciled(command_id=intent.command_id, verdict="not-done", evidence=evidence)
 
@@ -126,7 +131,7 @@ def reissue(run: Run) -> Iterator[AnyEvent]:
         yield SkillReconciled(
             command_id=intent.command_id,
             verdict="not-done",
-            evidence="it never started and may not start now",
+            evidence=Sentence("it never started and may not start now"),
         )
 
 
@@ -173,4 +178,4 @@ def ask_person(run: Run, question: Question) -> Iterator[AnyEvent]:
 
 def held_before_start(run: Run) -> Iterator[AnyEvent]:
     """Let go of a skill that is written down but not told to the cell: somebody wants a hold."""
-    yield from _not_done(run, flight_of(run).intent, "held before the cell was told")
+    yield from _not_done(run, flight_of(run).intent, Sentence("held before the cell was told"))

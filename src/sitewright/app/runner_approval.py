@@ -31,6 +31,7 @@ from sitewright.central_controller.ports import (
 )
 from sitewright.central_controller.site_state import Rejection
 from sitewright.central_controller.steering import HELD_BY_PERSON, Steering, steered
+from sitewright.foundation.sentence import Sentence
 
 
 def ask_approval(run: Run, step: int) -> Iterator[AnyEvent]:
@@ -71,7 +72,9 @@ def _steered(run: Run, wish: Steering) -> Iterator[AnyEvent]:
 def held_by(hold: Hold) -> RunHeld:
     """Return the event by which a run stands because somebody wants it to."""
     return RunHeld(
-        reason=f"{hold.who} holds the run{f': {hold.reason}' if hold.reason else '.'}",
+        reason=Sentence("{who} holds the run: {why}", who=hold.who, why=hold.reason)
+        if hold.reason
+        else Sentence("{who} holds the run.", who=hold.who),
         exit_code=HELD_BY_PERSON,
         who=hold.who,
         decision=hold.decision,
@@ -103,9 +106,11 @@ def _approved(run: Run, request: ApprovalRequest, answer: Approve) -> Iterator[A
     problem = ""
     if answer.fingerprint != request.fingerprint:
         shown, open_ = check_code(answer.fingerprint), request.code
-        problem = f"The answer is about plan {shown}; the open one is {open_}."
+        problem = Sentence(
+            "The answer is about plan {shown}; the open one is {open}.", shown=shown, open=open_
+        )
     elif not answer.scope.covers(request.next_step):
-        problem = f"The answer does not cover step {request.next_step}."
+        problem = Sentence("The answer does not cover step {step}.", step=request.next_step)
     if problem:
         yield ApprovalRefused(
             approval_id=approval_id,
@@ -147,7 +152,9 @@ def _rejected(request: ApprovalRequest, answer: Reject) -> Iterator[AnyEvent]:
     if answer.reason == "later":
         yield TargetRefused(
             target=proposal.target,
-            reason=f"{answer.who} put it off: {answer.detail}".rstrip(": "),
+            reason=Sentence("{who} put it off: {why}", who=answer.who, why=answer.detail)
+            if answer.detail
+            else Sentence("{who} put it off", who=answer.who),
             is_proven=False,
             exit_code=HELD_BY_PERSON,
         )

@@ -22,6 +22,7 @@ from sitewright.central_controller.ports import Escalation, NothingToDo, Planned
 from sitewright.central_controller.proposal import Proposal
 from sitewright.foundation.canonical import canonical_json
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.sentence import Sentence
 from sitewright.journal.blobs import write_whole
 from sitewright.robot_team.skill import Skill, SkillCall
 
@@ -76,7 +77,7 @@ def plan_single(run: Run, call: SkillCall) -> Iterator[AnyEvent]:
             yield from (RefusalMet(refusal=r) for r in outcome.refusals)
             yield AlternativeRefused(call=call, reason=reason)
         case NothingToDo():
-            yield AlternativeRefused(call=call, reason="This action is not feasible now.")
+            yield AlternativeRefused(call=call, reason=Sentence("This action is not feasible now."))
 
 
 def finished(run: Run) -> RunFinished:
@@ -96,7 +97,7 @@ def _proposed(run: Run, planned: Planned, *, is_single: bool) -> Iterator[AnyEve
     run.folder.save_texts(proposal.target, planned.attachments)
     digest = run.keep(proposal)
     if digest in run.state.rejected:
-        reason = "The planner has no other plan than the one that was rejected."
+        reason = Sentence("The planner has no other plan than the one that was rejected.")
         yield RunHeld(reason=reason, exit_code=_APPROVAL)
         return
     yield ProposalMade(

@@ -27,6 +27,7 @@ from sitewright.central_controller.ports import FactsChanged, StillClear
 from sitewright.central_controller.proposal import ProposedStep
 from sitewright.central_controller.sensed import differences
 from sitewright.foundation.ids import CommandId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.motion import Certificate
 from sitewright.planning_twin.refusal import StaleCertificate
 from sitewright.robot_team.driver import Observation
@@ -63,7 +64,7 @@ def changes(
 def start_step(run: Run, number: int) -> Iterator[AnyEvent]:
     """Check everything once more on the site as sensed, then write the intent."""
     if not run.has_room():
-        reason = "The disk has too little space left to record what would happen."
+        reason = Sentence("The disk has too little space left to record what would happen.")
         yield RunHeld(reason=reason, exit_code=_EXECUTION_FAILED)
         return
     serial = run.state.site.serial
@@ -71,7 +72,7 @@ def start_step(run: Run, number: int) -> Iterator[AnyEvent]:
     if run.state.held is not None:
         return
     if run.state.site.serial != serial:
-        yield superseded(run, "The site changed while nothing was to move.")
+        yield superseded(run, Sentence("The site changed while nothing was to move."))
         return
     step = _step(run, number)
     granted = yield from gate(run, step, now)
@@ -117,12 +118,17 @@ def gate(
         case StillClear() as clear:
             return verdict.approval.approval_id, clear
         case StaleCertificate(cause=cause):
-            pair = " and ".join(cause.pair)
-            yield superseded(
-                run, f"Step {step.number} is not clear any more: {pair} come too near."
+            why = Sentence(
+                "Step {step} is not clear any more: {pair:and} come too near.",
+                step=step.number,
+                pair=cause.pair,
             )
+            yield superseded(run, why)
         case FactsChanged(facts=facts):
-            yield superseded(run, f"Step {step.number} relies on what is not so: {facts[0]}.")
+            why = Sentence(
+                "Step {step} relies on what is not so: {fact}.", step=step.number, fact=facts[0]
+            )
+            yield superseded(run, why)
     return None
 
 
@@ -166,7 +172,7 @@ def sense(run: Run) -> Iterator[AnyEvent]:
     by = "person" if flight.source == "person" else "sensed"
     denied = contradictions(intent, now) if is_done and by == "sensed" else ()
     if denied and SKILL_CLASS.get(intent.call.skill, SkillClass.ONCE) is SkillClass.ONCE:
-        evidence = f"reported as done, but {denied[0].what}"
+        evidence = Sentence("reported as done, but {what}", what=denied[0].what)
         yield SkillReconciled(command_id=intent.command_id, verdict="unknown", evidence=evidence)
         return
     deviations = (*changes(run, now, intent), *denied)
@@ -191,15 +197,30 @@ def flight_of(run: Run) -> Flight:
 def _why(flight: Flight, deviations: tuple[DeviationSeen, ...]) -> str:
     call = flight.intent.call
     if flight.report is not None and not flight.report.is_done:
-        return f"{call.robot} could not {call.skill}: {flight.report.reason}."
-    return f"After {call.skill} by {call.robot}: {deviations[0].subject} {deviations[0].what}."
+        return Sentence(
+            "{robot} could not {skill}: {why}.",
+            robot=call.robot,
+            skill=str(call.skill),
+            why=flight.report.reason,
+        )
+    return Sentence(
+        "After {skill} by {robot}: {subject} {what}.",
+        skill=str(call.skill),
+        robot=call.robot,
+        subject=deviations[0].subject,
+        what=deviations[0].what,
+    )
 
 
 def held_if_grave(deviations: tuple[DeviationSeen, ...]) -> Iterator[AnyEvent]:
     """Stop for a person if one of the deviations asks for it."""
     for deviation in deviations:
         if deviation.level >= _NEEDS_PERSON:
-            reason = f"{deviation.subject} {deviation.what}. Look at the cell, then run again."
+            reason = Sentence(
+                "{subject} {what}. Look at the cell, then run again.",
+                subject=deviation.subject,
+                what=deviation.what,
+            )
             yield RunHeld(reason=reason, exit_code=_EXECUTION_FAILED)
             return
 

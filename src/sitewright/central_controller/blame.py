@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.sentence import Sentence
 from sitewright.symbolic_planning.nogood import Change, MinimalReason, Nogood, minimal_reason
 
 IsSolvable = Callable[[Sequence[Nogood]], bool]
@@ -24,7 +25,7 @@ def to_blame(nogoods: Sequence[Nogood], is_solvable: IsSolvable) -> MinimalReaso
     return minimal_reason(looked_at, lambda some: is_solvable([*kept, *some]))
 
 
-def reason_for(target: ComponentId, otherwise: str, blame: MinimalReason) -> str:
+def reason_for(target: ComponentId, otherwise: str, blame: MinimalReason) -> Sentence:
     """Return a minimal reason for people.
 
     Args:
@@ -32,15 +33,28 @@ def reason_for(target: ComponentId, otherwise: str, blame: MinimalReason) -> str
         otherwise: What the symbolic planner says; used if nothing learned is to blame.
         blame: What is to blame.
     """
-    if blame.alone:
-        lead = "This might help" if len(blame.alone) == 1 else "Any one of these might help"
-        return f"{target}: {_evidence(blame.alone)}. {lead}: {_remedies(blame.alone)}."
-    if blame.together:
-        return (
-            f"{target}: {_evidence(blame.together)}. "
-            f"All of these may be needed: {_remedies(blame.together)}."
+    if len(blame.alone) == 1:
+        return Sentence(
+            "{target}: {evidence:semi}. This might help: {remedies:semi}.",
+            target=target,
+            evidence=_evidence(blame.alone),
+            remedies=_remedies(blame.alone),
         )
-    return f"{target}: {otherwise}"
+    if blame.alone:
+        return Sentence(
+            "{target}: {evidence:semi}. Any one of these might help: {remedies:semi}.",
+            target=target,
+            evidence=_evidence(blame.alone),
+            remedies=_remedies(blame.alone),
+        )
+    if blame.together:
+        return Sentence(
+            "{target}: {evidence:semi}. All of these may be needed: {remedies:semi}.",
+            target=target,
+            evidence=_evidence(blame.together),
+            remedies=_remedies(blame.together),
+        )
+    return Sentence("{target}: {why}", target=target, why=otherwise)
 
 
 def removals_of(blame: MinimalReason) -> tuple[tuple[str, ...], ...]:
@@ -63,12 +77,12 @@ def pieces_to_blame(blame: MinimalReason) -> tuple[ComponentId, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _evidence(nogoods: Sequence[Nogood]) -> str:
-    return "; ".join(dict.fromkeys(n.evidence for n in nogoods))
+def _evidence(nogoods: Sequence[Nogood]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(n.evidence for n in nogoods))
 
 
-def _remedies(nogoods: Sequence[Nogood]) -> str:
-    return "; ".join(dict.fromkeys(_remedy(n) for n in nogoods))
+def _remedies(nogoods: Sequence[Nogood]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(_remedy(n) for n in nogoods))
 
 
 def _remedy(nogood: Nogood) -> str:
@@ -77,12 +91,16 @@ def _remedy(nogood: Nogood) -> str:
     predicate, robot, *others = nogood.fact
     match predicate:
         case "can-reach":
-            return f"move {robot}'s base, let another robot do {others[0]}, or do it by hand"
+            return Sentence(
+                "move {robot}'s base, let another robot do {place}, or do it by hand",
+                robot=robot,
+                place=others[0],
+            )
         case "can-grasp":
-            return f"another robot, gripper or stock place for {others[1]}"
+            return Sentence("another robot, gripper or stock place for {piece}", piece=others[1])
         case "can-place" | "can-set-down":
-            return f"another robot or another way to hold {others[0]}"
+            return Sentence("another robot or another way to hold {piece}", piece=others[0])
         case "excludes":
-            return f"another posture for whoever stands at {others[1]}"
+            return Sentence("another posture for whoever stands at {place}", place=others[1])
         case _:
-            return f"make ({' '.join(nogood.fact)}) true"
+            return Sentence("make {fact} true", fact=f"({' '.join(nogood.fact)})")

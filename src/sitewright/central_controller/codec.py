@@ -12,9 +12,11 @@ from functools import cache
 from typing import Any, NewType, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.sentence import Sentence, parts_of, sentence_of
 
 _T = TypeVar("_T")
 _TAG = "is"
+_TOLD = "~"
 
 
 class DecodeError(ValueError):
@@ -24,13 +26,16 @@ class DecodeError(ValueError):
 def to_json(value: object) -> Json:
     """Return a dataclass value as JSON; each dataclass carries its name under ``is``.
 
+    Beside a field with a `Sentence` stands what it is made of: ``reason`` and ``reason~``.
     Mappings with keys other than text become sorted lists of pairs.
     """
     if value is None or isinstance(value, bool | int | float | str):
-        return value.value if isinstance(value, Enum) else value
+        plain = str(value) if isinstance(value, Sentence) else value
+        return plain.value if isinstance(plain, Enum) else plain
     if is_dataclass(value) and not isinstance(value, type):
-        named = {f.name: to_json(getattr(value, f.name)) for f in fields(value)}
-        return {_TAG: type(value).__name__, **named}
+        named = {f.name: getattr(value, f.name) for f in fields(value)}
+        told = {f"{n}{_TOLD}": parts_of(v) for n, v in named.items() if isinstance(v, Sentence)}
+        return {_TAG: type(value).__name__, **{n: to_json(v) for n, v in named.items()}, **told}
     if isinstance(value, Mapping):
         return _mapping_to_json(value)
     if isinstance(value, frozenset):
@@ -117,7 +122,8 @@ def _decode_dataclass(kind: Any, data: Json, where: str) -> Any:
     if not isinstance(data, Mapping) or data.get(_TAG, kind.__name__) != kind.__name__:
         raise DecodeError(f"{where}: {data!r:.60} is no {kind.__name__}")
     hints, known = _hints(kind), {f.name: f for f in fields(kind)}
-    unknown = sorted(set(data) - set(known) - {_TAG})
+    told = {n: data[f"{n}{_TOLD}"] for n in known if f"{n}{_TOLD}" in data}
+    unknown = sorted(set(data) - set(known) - {_TAG, *(f"{n}{_TOLD}" for n in told)})
     if unknown:
         raise DecodeError(f"{where}: {kind.__name__} has no {', '.join(unknown)}")
     missing = [n for n, f in known.items() if n not in data and not _has_default(f)]
@@ -125,7 +131,7 @@ def _decode_dataclass(kind: Any, data: Json, where: str) -> Any:
         raise DecodeError(f"{where}: {kind.__name__} lacks {', '.join(missing)}")
     found = {n: _decode(hints[n], data[n], f"{where}.{n}") for n in known if n in data}
     try:
-        return kind(**found)
+        return kind(**{**found, **{n: sentence_of(parts) for n, parts in told.items()}})
     except ValueError as error:
         raise DecodeError(f"{where}: {error}") from error
 

@@ -22,6 +22,7 @@ from sitewright.central_controller.target_outcome import TargetPlan, TargetRefus
 from sitewright.construction_graph.graph import MaterialNode
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Vector
+from sitewright.foundation.sentence import Sentence
 
 _MOST_TRIED = 6
 """So many changes are planned through; each may take as long as the target itself."""
@@ -119,7 +120,9 @@ class Adviser:
             surveyor = with_model(self.surveyor, replace(model, relations=others))
             for piece in pieces_in_the_way(surveyor, context, refusal, relation.b):
                 yield _Change(
-                    words=f"place {relation.b} before {self.target}",
+                    words=Sentence(
+                        "place {other} before {target}", other=relation.b, target=self.target
+                    ),
                     surveyor=surveyor,
                     context=context,
                     first=(relation.b, piece),
@@ -132,7 +135,7 @@ class Adviser:
             pieces = [ComponentId(t) for t in things]
             if all(isinstance(nodes.get(p), MaterialNode) for p in pieces):
                 yield _Change(
-                    words=f"take {' and '.join(pieces)} away",
+                    words=Sentence("take {pieces:and} away", pieces=tuple(pieces)),
                     surveyor=self.surveyor,
                     context=without_pieces(context, pieces),
                 )
@@ -148,7 +151,11 @@ class Adviser:
             changed = replace(component, operations=operations)
             components = {**model.component_by_id, component.id: changed}
             yield _Change(
-                words=f"let {forced.id} be driven after {self.target} is let go of",
+                words=Sentence(
+                    "let {operation} be driven after {target} is let go of",
+                    operation=forced.id,
+                    target=self.target,
+                ),
                 surveyor=with_model(self.surveyor, replace(model, component_by_id=components)),
                 context=context,
             )
@@ -160,7 +167,12 @@ class Adviser:
                 moved = moved_on_a_copy(self.surveyor, context, wanted.thing, wanted.goal_m, by_m)
                 if moved is not None:
                     yield _Change(
-                        words=f"move {wanted.name} by {by_m:g} m towards {wanted.towards}",
+                        words=Sentence(
+                            "move {thing} by {by_m:g} m towards {towards}",
+                            thing=wanted.name,
+                            by_m=by_m,
+                            towards=wanted.towards,
+                        ),
                         about=wanted.thing,
                         surveyor=moved[0],
                         context=moved[1],
@@ -179,10 +191,16 @@ class Adviser:
                     node = nodes.get(ComponentId(piece))
                     if isinstance(node, MaterialNode):
                         base_m = robot.world_T_base.position_m
-                        name = f"the stack at {node.place}"
+                        name = Sentence("the stack at {place}", place=node.place)
                         yield _Nearer(node.place, name, robot.id, base_m, _STACK_STEPS_M)
                 case ("can-reach", _, place) if place in spots:
                     at_m = (design.world_T_target(self.target) @ spots[place]).position_m
-                    yield _Nearer(robot.id, f"the base of {robot.id}", place, at_m, _BASE_STEPS_M)
+                    yield _Nearer(
+                        robot.id,
+                        Sentence("the base of {robot}", robot=robot.id),
+                        place,
+                        at_m,
+                        _BASE_STEPS_M,
+                    )
                 case _:
                     pass

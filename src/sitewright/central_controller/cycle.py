@@ -61,6 +61,7 @@ from sitewright.central_controller.skill_fold import (
     closed,
     without_proposal,
 )
+from sitewright.foundation.sentence import Sentence
 
 MAX_REPLANS_PER_TARGET = 3
 MAX_REPLANS_IN_WINDOW = 5
@@ -81,7 +82,9 @@ def next_command(state: CycleState) -> Command:  # noqa: PLR0911 -- one line per
     if state.question is not None:
         return AskPerson(state.question)
     if state.link_losses > MAX_LINK_LOSSES:
-        return HoldRun(f"The cell was lost again and again: {state.link_reason}", 10)
+        return HoldRun(
+            Sentence("The cell was lost again and again: {why}", why=state.link_reason), 10
+        )
     if state.epoch == 0:
         return Connect()
     if state.flight is not None:
@@ -116,10 +119,14 @@ def _next_step(state: CycleState) -> Command:
 def _next_plan(state: CycleState) -> Command:
     often = [t for t, n in state.replans.items() if n > MAX_REPLANS_PER_TARGET]
     if often:
-        return HoldRun(f"{often[0]}: planned anew {state.replans[often[0]]} times in vain.", 8)
+        count = state.replans[often[0]]
+        why = Sentence(
+            "{target}: planned anew {count} times in vain.", target=often[0], count=count
+        )
+        return HoldRun(why, 8)
     times = state.replan_times_utc_ns[-MAX_REPLANS_IN_WINDOW - 1 :]
     if len(times) > MAX_REPLANS_IN_WINDOW and times[-1] - times[0] <= REPLAN_WINDOW_NS:
-        return HoldRun(f"Planned anew {len(times)} times within 10 min.", 8)
+        return HoldRun(Sentence("Planned anew {count} times within 10 min.", count=len(times)), 8)
     if state.site.is_at_end:
         return FinishRun()
     return PlanNext(state.site.excluded)
@@ -216,4 +223,4 @@ def _superseded(state: CycleState, event: ProposalSuperseded) -> CycleState:
 def _redesigned(state: CycleState, digest: str) -> CycleState:
     """Let go of everything that was planned of the old design, whoever approved it."""
     state = replace(without_proposal(state), wish=None, refusals=(), refusal_codes=())
-    return replace(state, model_sha256=digest, replans={}, why="The design changed.")
+    return replace(state, model_sha256=digest, replans={}, why=Sentence("The design changed."))

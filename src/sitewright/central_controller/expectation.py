@@ -20,6 +20,7 @@ from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId, OperationId, RobotId
 from sitewright.foundation.pose import Pose, Quaternion, Vector
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.driver import Observation
 from sitewright.robot_team.skill import Skill
 
@@ -90,16 +91,25 @@ def _robots_moved(
     for robot, was in before.robots.items():
         state = now.robots.get(robot)
         if state is None:
-            yield 3, robot, "the robot is not sensed any more"
+            yield 3, robot, Sentence("the robot is not sensed any more")
         elif robot != mover and state.mounted != was.mounted:
-            yield 2, robot, f"carries {state.mounted}, not {was.mounted}"
+            yield (
+                2,
+                robot,
+                Sentence(
+                    "carries {tool}, not {other}", tool=str(state.mounted), other=str(was.mounted)
+                ),
+            )
         elif robot != mover:
             turned = max(abs(a - b) for a, b in zip(was.q_rad, state.q_rad, strict=True))
             if turned > JOINT_TOLERANCE_RAD:
                 yield (
                     1,
                     robot,
-                    f"a joint moved by {turned:.3f} (rad, m on a rail) though it was at rest",
+                    Sentence(
+                        "a joint moved by {by_rad:.3f} (rad, m on a rail) though it was at rest",
+                        by_rad=turned,
+                    ),
                 )
 
 
@@ -111,7 +121,7 @@ def _pieces_dropped(
         if was.gripped is None or robot == lets_go or state is None:
             continue
         if state.gripped != was.gripped:
-            yield 2, was.gripped, f"is not in the gripper of {robot} any more"
+            yield 2, was.gripped, Sentence("is not in the gripper of {robot} any more", robot=robot)
 
 
 def _pieces_moved(
@@ -124,7 +134,7 @@ def _pieces_moved(
             continue
         pose = now.world_T_piece.get(piece)
         if pose is None:
-            yield 2, piece, "is not seen any more"
+            yield 2, piece, Sentence("is not seen any more")
             continue
         level = level_of(was, pose)
         if level:
@@ -133,8 +143,11 @@ def _pieces_moved(
                 math.degrees(was.angle_to_rad(pose)),
             )
             is_worse = piece in done and level == 2  # noqa: PLR2004 -- a deviation level
-            what = f"moved by {moved_mm:.1f} mm and {angle_deg:.2f} deg"
-            yield (3, piece, f"{what} after it was installed") if is_worse else (level, piece, what)
+            what = Sentence(
+                "moved by {by_mm:.1f} mm and {by_deg:.2f} deg", by_mm=moved_mm, by_deg=angle_deg
+            )
+            worse = Sentence("{what} after it was installed", what=what)
+            yield (3, piece, worse) if is_worse else (level, piece, what)
 
 
 def contradictions(intent: SkillIntent, now: Observation) -> tuple[DeviationSeen, ...]:
@@ -151,23 +164,29 @@ def _contradiction(  # noqa: C901, PLR0911 -- one line per skill
 ) -> str:
     params, state = intent.params, now.robots.get(intent.call.robot)
     if state is None:
-        return f"robot {intent.call.robot} is not sensed"
+        return Sentence("robot {robot} is not sensed", robot=intent.call.robot)
     piece = params.get("piece")
     match intent.call.skill:
         case Skill.GRASP if state.gripped != piece:
-            return f"{piece} is not sensed in the gripper"
+            return Sentence("{piece} is not sensed in the gripper", piece=str(piece))
         case Skill.POSITION:
             return _off_place(params, now)
         case Skill.RELEASE | Skill.SET_DOWN if state.gripped == piece:
-            return f"{piece} is still sensed in the gripper"
+            return Sentence("{piece} is still sensed in the gripper", piece=str(piece))
         case Skill.SET_DOWN:
             return _off_place(params, now)
         case Skill.FASTEN if params.get("operation") not in {f.operation for f in now.fasteners}:
-            return f"the fastener {params.get('operation')} is not sensed"
+            return Sentence(
+                "the fastener {operation} is not sensed", operation=str(params.get("operation"))
+            )
         case Skill.APPLY_FINISH:
             return _too_thin(params, now)
         case Skill.CHANGE_END_EFFECTOR if state.mounted != params.get("new"):
-            return f"{state.mounted} is mounted, not {params.get('new')}"
+            return Sentence(
+                "{tool} is mounted, not {other}",
+                tool=str(state.mounted),
+                other=str(params.get("new")),
+            )
         case _:
             return ""
 
@@ -175,18 +194,27 @@ def _contradiction(  # noqa: C901, PLR0911 -- one line per skill
 def _off_place(params: Mapping[str, Json], now: Observation) -> str:
     wanted, sensed = pose_of(params["world_T_piece"]), now.world_T_piece.get(_piece(params))
     if sensed is None:
-        return f"{_piece(params)} is not seen"
+        return Sentence("{piece} is not seen", piece=_piece(params))
     off_m, off_rad = wanted.distance_to_m(sensed), wanted.angle_to_rad(sensed)
     if off_m <= _number(params, "tolerance_m") and off_rad <= _number(params, "tolerance_rad"):
         return ""
-    return f"{_piece(params)} is {off_m * 1e3:.1f} mm and {math.degrees(off_rad):.2f} deg off"
+    return Sentence(
+        "{piece} is {off_mm:.1f} mm and {off_deg:.2f} deg off",
+        piece=_piece(params),
+        off_mm=off_m * 1e3,
+        off_deg=math.degrees(off_rad),
+    )
 
 
 def _too_thin(params: Mapping[str, Json], now: Observation) -> str:
     share = now.coverage.get(OperationId(str(params.get("operation"))), 0.0)
     if share >= _number(params, "coverage"):
         return ""
-    return f"only {share:.0%} of {params.get('operation')} is covered"
+    return Sentence(
+        "only {share:.0%} of {operation} is covered",
+        share=share,
+        operation=str(params.get("operation")),
+    )
 
 
 def effects(intent: SkillIntent, site: SiteState, now: Observation, *, by: str) -> list[AnyEvent]:

@@ -8,6 +8,7 @@ from sitewright.central_controller.approval import Approval, is_genuine
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.fingerprint import check_code, fingerprint
 from sitewright.central_controller.proposal import Proposal, ProposedStep
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.driver import Observation
 
 START_TOLERANCE_RAD = 0.010
@@ -51,7 +52,7 @@ def may_start(
         return refused
     approval = state.approval
     if approval is None:
-        return Refused(reason=f"Step {step.number} is not approved.")
+        return Refused(reason=Sentence("Step {step} is not approved.", step=step.number))
     void = _void(approval, step, state, key=key, now_utc_ns=now_utc_ns)
     if void:
         return Refused(reason=void)
@@ -61,26 +62,38 @@ def may_start(
 
 def _content(step: ProposedStep, proposal: Proposal, state: CycleState) -> Refused | None:
     if state.proposal is None:
-        return Refused(reason="There is no open proposal.", needs_plan=True)
+        return Refused(reason=Sentence("There is no open proposal."), needs_plan=True)
     wanted, found = state.proposal.fingerprint, fingerprint(proposal)
     if found != wanted:
         return Refused(
-            reason=f"What would run ({check_code(found)}) is not what was proposed "
-            f"({check_code(wanted)}).",
+            reason=Sentence(
+                "What would run ({found}) is not what was proposed ({wanted}).",
+                found=check_code(found),
+                wanted=check_code(wanted),
+            ),
             needs_plan=True,
         )
     if step not in proposal.steps:
-        return Refused(reason=f"Step {step.number} is not part of the proposal.", needs_plan=True)
+        return Refused(
+            reason=Sentence("Step {step} is not part of the proposal.", step=step.number),
+            needs_plan=True,
+        )
     if proposal.site_serial != state.site.serial:
-        return Refused(reason="The site changed after this plan was made.", needs_plan=True)
+        return Refused(
+            reason=Sentence("The site changed after this plan was made."), needs_plan=True
+        )
     return None
 
 
 def _order(step: ProposedStep, state: CycleState) -> Refused | None:
     if state.flight is not None or state.question is not None:
-        return Refused(reason="Another step has not ended yet.")
+        return Refused(reason=Sentence("Another step has not ended yet."))
     if step.number != state.done + 1:
-        return Refused(reason=f"Step {step.number} is not next; step {state.done + 1} is.")
+        return Refused(
+            reason=Sentence(
+                "Step {step} is not next; step {next} is.", step=step.number, next=state.done + 1
+            )
+        )
     return None
 
 
@@ -90,16 +103,16 @@ def _void(
     """Return why an approval does not let a step start; empty if it does."""
     assert state.proposal is not None  # noqa: S101 -- `_content` looked
     if not is_genuine(approval, key):
-        return "The approval was not given on this installation, or was changed."
+        return Sentence("The approval was not given on this installation, or was changed.")
     if approval.fingerprint != state.proposal.fingerprint:
-        return "The approval is about another plan."
+        return Sentence("The approval is about another plan.")
     if not approval.scope.covers(step.number):
-        return f"Step {step.number} is outside of what was approved."
+        return Sentence("Step {step} is outside of what was approved.", step=step.number)
     if (approval.approval_id, step.number) in state.started:
-        return f"Step {step.number} was already started under this approval."
+        return Sentence("Step {step} was already started under this approval.", step=step.number)
     has_started = any(a == approval.approval_id for a, _ in state.started)
     if not has_started and now_utc_ns > approval.start_before_utc_ns:
-        return "This approval was not started within 10 min. Approve again."
+        return Sentence("This approval was not started within 10 min. Approve again.")
     return ""
 
 
@@ -112,13 +125,19 @@ def _not_at_start(step: ProposedStep, observation: Observation) -> str:
         seen.add(trajectory.robot)
         robot = observation.robots.get(trajectory.robot)
         if robot is None:
-            return f"Robot {trajectory.robot} is not sensed."
+            return Sentence("Robot {robot} is not sensed.", robot=trajectory.robot)
         pairs = zip(robot.q_rad, trajectory.start_rad, strict=True)
         for joint, (is_rad, start_rad) in enumerate(pairs, start=1):
             if abs(is_rad - start_rad) > START_TOLERANCE_RAD:
-                return (
-                    f"Robot {trajectory.robot} is not where step {step.number} starts: joint "
-                    f"{joint} is at {is_rad:.3f}, the trajectory starts at {start_rad:.3f} (rad, "
-                    f"m on a rail; allowed {START_TOLERANCE_RAD:.3f}). A new motion is needed."
+                return Sentence(
+                    "Robot {robot} is not where step {step} starts: joint {joint} is at "
+                    "{is_rad:.3f}, the trajectory starts at {start_rad:.3f} (rad, m on a rail; "
+                    "allowed {most_rad:.3f}). A new motion is needed.",
+                    robot=trajectory.robot,
+                    step=step.number,
+                    joint=joint,
+                    is_rad=is_rad,
+                    start_rad=start_rad,
+                    most_rad=START_TOLERANCE_RAD,
                 )
     return ""

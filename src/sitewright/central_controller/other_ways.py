@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from sitewright.central_controller.ports import Alternative
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.planner import NoPlan, SymbolicPlanner
 from sitewright.symbolic_planning.problem import Problem, with_state
@@ -71,7 +72,7 @@ def _priced(
 ) -> Alternative:
     after = planner.plan(with_state(problem, apply(other.action, problem.init)))
     if isinstance(after, NoPlan):
-        note = after.reason if after.is_proven else "no plan found from there in time"
+        note = after.reason if after.is_proven else Sentence("no plan found from there in time")
         return Alternative(
             call=other.call,
             duration_s=other.action.cost / _TENTHS,
@@ -83,7 +84,7 @@ def _priced(
             call=other.call,
             duration_s=other.action.cost / _TENTHS,
             leads_nowhere=True,
-            note=f"no motion: {refusal}",
+            note=Sentence("no motion: {why}", why=refusal),
         )
     total = other.action.cost + after.cost
     price = None if best_cost is None else (total - best_cost) / _TENTHS

@@ -15,11 +15,14 @@ from sitewright.central_controller.ports import (
 from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.central_controller.target_outcome import TargetPlan, TargetRefusal
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal
 from sitewright.planning_twin.wording import in_words, is_proof
 from sitewright.symbolic_planning.problem import Problem
 from sitewright.symbolic_planning.reasons import effects, relies_on
 
+WITH_HELPS = "{reason} Tried on a copy, and it works: {tried:or}."
+"""Template of a reason that ends with what works."""
 _NO_PLAN_PROVEN, _LIMIT, _NO_MOTION = 4, 5, 6
 
 
@@ -126,11 +129,11 @@ def escalation(
         timing_s: Where the time went.
         helps: Changes with which it has one.
     """
-    tried = "; or ".join(f"{h.words} ({h.steps} steps)" for h in helps)
+    tried = tuple(Sentence("{words} ({steps} steps)", words=h.words, steps=h.steps) for h in helps)
     code = _NO_PLAN_PROVEN if refused.is_proven else _NO_MOTION
     return Escalation(
         target=target,
-        reason=f"{refused.reason} Tried on a copy, and it works: {tried}."
+        reason=Sentence(WITH_HELPS, reason=refused.reason, tried=tried)
         if tried
         else refused.reason,
         is_proven=refused.is_proven,

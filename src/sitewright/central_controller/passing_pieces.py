@@ -15,6 +15,7 @@ from sitewright.central_controller.target_outcome import PlanPart, TargetPlan
 from sitewright.central_controller.target_planning import plan_target
 from sitewright.construction_graph.graph import MaterialNode
 from sitewright.foundation.ids import ComponentId, RobotId, StationId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.passing_on import ways_by_buffers
 from sitewright.robot_team.skill import Skill
 from sitewright.symbolic_planning.site_view import Errand
@@ -105,14 +106,18 @@ class PassedOn:
         return self._serves[place]
 
 
-def passed_in_words(moved: TargetPlan, rest: TargetPlan, way: Way) -> str:
+def passed_in_words(moved: TargetPlan, rest: TargetPlan, way: Way) -> Sentence:
     """Return how a piece goes by way of buffers: from hand to hand, or to be held otherwise."""
     by = [_who(part, Skill.SET_DOWN) for part in moved.parts]
     takes = _who(rest.parts[-1], Skill.GRASP)
-    legs = [f"{by[0]} lays it down at {way[0]}"]
-    legs += [f"{r} takes it from there to {b}" for r, b in zip(by[1:], way[1:], strict=True)]
-    last = "and takes it differently" if takes == by[-1] else f"where {takes} takes it"
-    return f"{', '.join(legs)}{' ' if takes == by[-1] else ', '}{last}"
+    legs = [Sentence("{robot} lays it down at {place}", robot=by[0], place=way[0])]
+    legs += [
+        Sentence("{robot} takes it from there to {place}", robot=r, place=b)
+        for r, b in zip(by[1:], way[1:], strict=True)
+    ]
+    if takes == by[-1]:
+        return Sentence("{legs:comma} and takes it differently", legs=tuple(legs))
+    return Sentence("{legs:comma}, where {robot} takes it", legs=tuple(legs), robot=takes)
 
 
 def _who(part: PlanPart, skill: Skill) -> RobotId:

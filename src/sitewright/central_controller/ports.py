@@ -12,6 +12,7 @@ from sitewright.central_controller.proposal import Proposal, ProposedStep
 from sitewright.central_controller.site_state import SiteState
 from sitewright.foundation.ids import ComponentId, RunId, ZoneId
 from sitewright.foundation.pose import Pose, Vector
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.moment import Moment
 from sitewright.planning_twin.motion import Certificate
 from sitewright.planning_twin.refusal import StaleCertificate
@@ -66,15 +67,17 @@ class RefusalNote:
     def verdict(self) -> str:
         """How sure the "no" is, as `verdict_of` words it."""
         if self.kind == PUT_OFF:
-            return "a person's wish"
+            return Sentence("a person's wish")
         return verdict_of(self.blockers, is_proven=self.is_proven)
 
 
 def verdict_of(blockers: Sequence[str], *, is_proven: bool) -> str:
     """Return which of three things a "no" is: proven, blocked by something, or not found."""
     if is_proven:
-        return "proven impossible"
-    return f"blocked by {' and '.join(blockers)}" if blockers else "not found within budget"
+        return Sentence("proven impossible")
+    if blockers:
+        return Sentence("blocked by {things:and}", things=tuple(blockers))
+    return Sentence("not found within budget")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -21,6 +21,7 @@ from sitewright.central_controller.target_outcome import TargetPlan, TargetRefus
 from sitewright.central_controller.target_planning import plan_target
 from sitewright.construction_graph.graph import MaterialNode
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.sentence import Sentence
 from sitewright.symbolic_planning.site_view import Errand
 
 _MOST_ERRANDS = 4
@@ -68,7 +69,11 @@ class Recovery:
         graph = surveyor.graph_of(context)
         choices = choices_of_pieces(surveyor.design, graph, context, self.target)
         for candidates in choices:
-            notes = [*answered_by(notes, f"{candidates[-1]} may be taken")] if notes else notes
+            notes = (
+                [*answered_by(notes, Sentence("{piece} may be taken", piece=candidates[-1]))]
+                if notes
+                else notes
+            )
             outcome = self.made_of(context, candidates)
             notes += outcome.notes
             if isinstance(outcome, TargetPlan):
@@ -97,7 +102,11 @@ class Recovery:
                 if isinstance(first, TargetPlan):
                     after = built(context, steps_of(first), other)
                     if isinstance(self.by_itself(after), TargetPlan):
-                        words = f"{other} is built first, of {piece}, which is in the way"
+                        words = Sentence(
+                            "{other} is built first, of {piece}, which is in the way",
+                            other=other,
+                            piece=piece,
+                        )
                         yield _WayRound(first, words)
 
     def _by_way_of_buffers(
@@ -127,8 +136,7 @@ class Recovery:
             pieces = [ComponentId(t) for t in things]
             if all(self._is_movable(context, p) for p in pieces):
                 for plan in self._after_moving(context, pieces):
-                    are = "is" if len(pieces) == 1 else "are"
-                    words = f"{' and '.join(pieces)} {are} moved out of the way first"
+                    words = _moved_first(tuple(pieces))
                     yield _WayRound(plan, words)
 
     def _after_moving(
@@ -156,6 +164,12 @@ class Recovery:
 def answered_by(notes: Iterable[RefusalNote], then: str) -> tuple[RefusalNote, ...]:
     """Return refusals with what was done instead, where that was not known before."""
     return tuple(n if n.then else replace(n, then=then) for n in notes)
+
+
+def _moved_first(pieces: tuple[ComponentId, ...]) -> Sentence:
+    if len(pieces) == 1:
+        return Sentence("{pieces:and} is moved out of the way first", pieces=pieces)
+    return Sentence("{pieces:and} are moved out of the way first", pieces=pieces)
 
 
 def pieces_in_the_way(

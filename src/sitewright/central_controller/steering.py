@@ -21,6 +21,7 @@ from sitewright.central_controller.ports import ByHand, DrawZone, Mismatch, Remo
 from sitewright.central_controller.site_fold import site_after
 from sitewright.central_controller.site_state import DrawnZone, SiteState
 from sitewright.foundation.ids import ComponentId, OperationId, RobotId, ZoneId
+from sitewright.foundation.sentence import Sentence
 from sitewright.foundation.shapes import Box
 from sitewright.robot_team.cell import Zone
 
@@ -39,14 +40,16 @@ def steered(site: SiteState, wish: Steering) -> tuple[str, list[AnyEvent]]:
     """
     match wish:
         case DrawZone():
-            return f"{wish.who} drew a keep-out zone.", [_drawn(site, wish)]
+            return Sentence("{who} drew a keep-out zone.", who=wish.who), [_drawn(site, wish)]
         case RemoveZone(who=who, zone=zone, decision=decision):
             removed = ZoneRemoved(zone=zone, who=who, decision=decision)
-            return f"{who} removed the keep-out zone {zone}.", [removed]
+            return Sentence("{who} removed {zone}.", who=who, zone=zone), [removed]
         case ByHand():
-            return f"{wish.who} did work on {wish.target} by hand.", list(_by_hand(site, wish))
+            why = Sentence("{who} did work on {target} by hand.", who=wish.who, target=wish.target)
+            return why, list(_by_hand(site, wish))
         case Mismatch():
-            return f"{wish.component} does not match the site.", list(_mismatch(wish))
+            why = Sentence("{component} does not match the site.", component=wish.component)
+            return why, list(_mismatch(wish))
 
 
 def hand_facts(site: SiteState) -> Mapping[ComponentId, tuple[str, ...]]:
@@ -114,11 +117,14 @@ def _effect(effect: str, target: ComponentId) -> AnyEvent:
 
 
 def _mismatch(wish: Mismatch) -> Iterator[AnyEvent]:
-    said = f": {wish.detail}" if wish.detail else ""
-    what = f"does not match the site, says {wish.who}{said}"
+    what = Sentence("does not match the site, says {who}", who=wish.who)
+    if wish.detail:
+        what = Sentence("{what}: {detail}", what=what, detail=wish.detail)
     yield DeviationSeen(level=_NEEDS_PERSON, subject=wish.component, what=what)
     yield RunHeld(
-        reason=f"{wish.component} {what}. Look at the cell, then resume.",
+        reason=Sentence(
+            "{subject} {what}. Look at the cell, then resume.", subject=wish.component, what=what
+        ),
         exit_code=HELD_BY_PERSON,
         who=wish.who,
         decision=wish.decision,

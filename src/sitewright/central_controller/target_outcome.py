@@ -9,7 +9,9 @@ from sitewright.central_controller.blame import pieces_to_blame, reason_for, rem
 from sitewright.central_controller.ports import RefusalNote
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.feedback import refused_call, removals_of_refused
+from sitewright.planning_twin.holding import dropped_at
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.refusal import BlockedBy, Refusal, pair_of, seen_at
 from sitewright.planning_twin.sequence import PlannedSequence, SequenceRefusal
@@ -183,9 +185,11 @@ def _done_instead(fact: Fact, calls: tuple[SkillCall, ...]) -> str:
     acts = [c for c in calls if c.skill in (Skill.GRASP, Skill.FASTEN, Skill.APPLY_FINISH)]
     same = next((c for c in acts if c.arguments[0] in about), None)
     if same is not None:
-        return f"{same.robot} does it" if same.robot != robot else ""
+        return Sentence("{robot} does it", robot=same.robot) if same.robot != robot else ""
     other = next((c for c in acts if c.skill == Skill.GRASP), None)
-    return "" if other is None else f"{other.robot} takes {other.arguments[0]}"
+    if other is None:
+        return ""
+    return Sentence("{robot} takes {piece}", robot=other.robot, piece=other.arguments[0])
 
 
 def notes_of_choices(
@@ -205,11 +209,15 @@ def notes_of_choices(
         RefusalNote(
             target=target,
             kind=type(skill.chosen.refusal).__name__,
-            reason=f"{call.robot} cannot stand upright on {call.arguments[0]}: "
-            f"{in_words(skill.chosen.refusal)}",
+            reason=Sentence(
+                "{robot} cannot stand upright on {spot}: {why}",
+                robot=call.robot,
+                spot=call.arguments[0],
+                why=in_words(skill.chosen.refusal),
+            ),
             is_proven=is_proof(skill.chosen.refusal),
             blockers=_blockers(skill.chosen.refusal),
-            then=f"it leans ({skill.chosen.label})",
+            then=Sentence("it leans ({how})", how=skill.chosen.label),
             pair=pair_of(skill.chosen.refusal),
             moment=seen_at(skill.chosen.refusal),
         )
@@ -224,12 +232,16 @@ def _blockers(refusal: Refusal) -> tuple[str, ...]:
 
 
 def _note_of_grasp(target: ComponentId, holding: Holding, world_T_piece: Pose) -> RefusalNote:
-    dropped = ", ".join(f"{name} ({n})" for name, n in holding.passed_over)
     return RefusalNote(
         target=target,
         kind="NoGrasp",
-        reason=f"{holding.robot} cannot hold {holding.piece} straight at its middle: "
-        f"cheaper grasps fail at {dropped}",
+        reason=Sentence(
+            "{robot} cannot hold {piece} straight at its middle: "
+            "cheaper grasps fail at {ends:comma}",
+            robot=holding.robot,
+            piece=holding.piece,
+            ends=dropped_at(holding.passed_over),
+        ),
         is_proven=False,
-        then=f"it is held {how_held(holding.grasp, world_T_piece)}",
+        then=Sentence("it is held {how}", how=how_held(holding.grasp, world_T_piece)),
     )

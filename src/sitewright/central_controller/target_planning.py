@@ -19,6 +19,7 @@ from sitewright.central_controller.target_outcome import (
     notes_of_study,
 )
 from sitewright.foundation.clock import Clock
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.feedback import Lessons
 from sitewright.planning_twin.kept_refusals import KeptRefusals
 from sitewright.planning_twin.motion import PlanningBackends
@@ -81,7 +82,11 @@ def plan_target(
         outcome = loop.next_round()
         if outcome is not None:
             return outcome
-    reason = f"{MOST_ROUNDS} plans were refused by geometry; the last one: {loop.notes[-1].reason}"
+    reason = Sentence(
+        "{count} plans were refused by geometry; the last one: {last}",
+        count=MOST_ROUNDS,
+        last=loop.notes[-1].reason,
+    )
     return loop.give_up(reason, is_limit=True)
 
 
@@ -189,20 +194,25 @@ class _Loop:
         if is_search and searches + 1 >= _MOST_SEARCHES:
             self._note(refused, calls, "")
             last = self.notes[-1].reason
-            reason = f"{_MOST_SEARCHES} searches ended without a path; the last: {last}"
+            reason = Sentence(
+                "{count} searches ended without a path; the last: {last}",
+                count=_MOST_SEARCHES,
+                last=last,
+            )
             return self.give_up(reason, is_limit=True)
         with self.watch.timed("motion"):
             regrasped = _another_grasp(self.context, self.study, refused, self.tried)
         if regrasped is not None:
-            self._note(refused, calls, "it is held differently")
+            self._note(refused, calls, Sentence("it is held differently"))
             self.study, self.known, self.lessons.base = regrasped, (), regrasped.base
             return None
         if self.lessons.learn(refused, calls):
-            self._note(refused, calls, "the steps are ordered or shared out differently")
+            self._note(refused, calls, Sentence("the steps are ordered or shared out differently"))
             self.known = tuple(zip(calls[: refused.number], refused.planned, strict=True))
             return None
         self._note(refused, calls, "")
-        return self.give_up(f"{self.notes[-1].reason}; no other order or robot avoids it")
+        last = self.notes[-1].reason
+        return self.give_up(Sentence("{last}; no other order or robot avoids it", last=last))
 
     def _note(self, refused: SequenceRefusal, calls: tuple[SkillCall, ...], then: str) -> None:
         self.notes.append(note_of_motion(self.view.target, refused, calls, then))

@@ -6,6 +6,7 @@ from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import event_to_json
 from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.labels import Labels
+from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.progress import progress_line
 from sitewright.interaction_twin.report.content import Stamped
 
@@ -13,7 +14,9 @@ _NOT_FOR_PAGES = ("proofs", "params")
 _MS = 1_000_000
 
 
-def event_document(run: str, stamped: Stamped, labels: Labels) -> dict[str, Json]:
+def event_document(
+    run: str, stamped: Stamped, labels: Labels, book: Phrasebook = ENGLISH
+) -> dict[str, Json]:
     """Return an event without what only an audit of the files needs."""
     body = event_to_json(stamped.event)
     return {
@@ -22,7 +25,7 @@ def event_document(run: str, stamped: Stamped, labels: Labels) -> dict[str, Json
         "n": stamped.number,
         "at_ms": stamped.at_utc_ns // _MS,
         "kind": stamped.event.kind,
-        "words": progress_line(stamped.event, labels).strip(),
+        "words": progress_line(stamped.event, labels, book).strip(),
         "body": {k: v for k, v in body.items() if k not in _NOT_FOR_PAGES},
     }
 

@@ -14,6 +14,9 @@ from sitewright.robot_team.cell import Cell, StationKind
 
 _WORD = re.compile(r"[\w$.-]+")
 """What ids are made of."""
+_DRAWN = re.compile(r"keep-out-(\d+)")
+"""How the zones that people draw are called."""
+DRAWN_ZONE = "keep-out zone {number}"
 BARE_FLANGE = "bare-"
 """Prefix of the end effector that stands for an empty flange."""
 
@@ -30,6 +33,7 @@ class Kind(StrEnum):
     END_EFFECTOR = "end-effector"
     BARE_FLANGE = "bare-flange"
     ROBOT = "robot"
+    DRAWN_ZONE = "drawn-zone"
     FIXTURE = "fixture"
     ZONE = "zone"
     UNKNOWN = "unknown"
@@ -63,6 +67,9 @@ class Labels:
             return found
         if site_id.startswith(BARE_FLANGE):
             return Label(Kind.BARE_FLANGE, site_id)
+        drawn = _DRAWN.fullmatch(site_id)
+        if drawn is not None:
+            return Label(Kind.DRAWN_ZONE, DRAWN_ZONE.format(number=drawn[1]))
         return Label(Kind.UNKNOWN, site_id)
 
     def name(self, site_id: str) -> str:
@@ -84,6 +91,8 @@ class Labels:
     def _told_word(self, word: str) -> str:
         site_id = word.rstrip(".")
         found = self.label_by_id.get(site_id)
+        if found is None and _DRAWN.fullmatch(site_id):
+            found = self.label(site_id)
         if found is None or site_id.isdigit():
             return word
         of = f" of {self.name(found.of)}" if found.of else ""

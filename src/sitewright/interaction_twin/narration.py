@@ -41,14 +41,14 @@ def act_of(call: SkillCall, labels: Labels, book: Phrasebook = ENGLISH) -> str:
         return _own_skill(template, call, labels, book)
     if template is None or len(names) != len(call.arguments):
         return spelled(call)
-    words = {n: _words(a, labels, book) for n, a in zip(names, call.arguments, strict=True)}
+    words = {n: words_of(a, labels, book) for n, a in zip(names, call.arguments, strict=True)}
     return template.format(**words)
 
 
 def _own_skill(template: str, call: SkillCall, labels: Labels, book: Phrasebook) -> str:
     """Return the sentence of a skill that is not built in; its places are numbers."""
     try:
-        return template.format(*(_words(a, labels, book) for a in call.arguments))
+        return template.format(*(words_of(a, labels, book) for a in call.arguments))
     except (IndexError, KeyError, ValueError):
         return spelled(call)
 
@@ -67,7 +67,8 @@ def _template(call: SkillCall, labels: Labels, book: Phrasebook) -> str | None:
     return book.skill.get(call.skill)
 
 
-def _words(site_id: str, labels: Labels, book: Phrasebook) -> str:
+def words_of(site_id: str, labels: Labels, book: Phrasebook) -> str:
+    """Return what an id stands for; an operation with its component."""
     label = labels.label(site_id)
     match label.kind:
         case Kind.OPERATION:

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from sitewright.interaction_twin.told_english import TOLD_ENGLISH
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Phrasebook:
@@ -24,6 +26,7 @@ class Phrasebook:
         step: Sentences that say why a step is as it is.
         noun: What an operation is called, by process; a number follows.
         page: Sentences around a plan: its title, why a step is there, what to look at.
+        told: What planners, controller and drivers say, by their English templates.
     """
 
     language: str
@@ -36,6 +39,7 @@ class Phrasebook:
     step: Mapping[str, str]
     noun: Mapping[str, str]
     page: Mapping[str, str]
+    told: Mapping[str, str]
 
 
 STEP_ENGLISH: Mapping[str, str] = {
@@ -138,6 +142,7 @@ ENGLISH = Phrasebook(
     piece="piece ",
     step=STEP_ENGLISH,
     noun={"nail": "nail", "screw": "screw", "paint": "face", "drill": "hole"},
+    told=TOLD_ENGLISH,
     page={
         "plan": "Plan for {target}",
         "single": "One chosen step for {target}",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sitewright.interaction_twin.phrases import Phrasebook
+from sitewright.interaction_twin.told_chinese import TOLD_CHINESE
 
 CHINESE = Phrasebook(
     language="zh",
@@ -102,6 +103,7 @@ CHINESE = Phrasebook(
         "status-superseded": "已作废",
     },
     noun={"nail": "钉子", "screw": "螺钉", "paint": "面", "drill": "孔"},
+    told=TOLD_CHINESE,
     page={
         "plan": "{target} 的计划",
         "single": "为 {target} 选择的单步",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sitewright.interaction_twin.phrases import Phrasebook
+from sitewright.interaction_twin.told_german import TOLD_GERMAN
 
 GERMAN = Phrasebook(
     language="de",
@@ -103,6 +104,7 @@ GERMAN = Phrasebook(
         "status-superseded": "überholt",
     },
     noun={"nail": "Nagel", "screw": "Schraube", "paint": "Fläche", "drill": "Bohrung"},
+    told=TOLD_GERMAN,
     page={
         "plan": "Plan für {target}",
         "single": "Ein gewählter Schritt für {target}",

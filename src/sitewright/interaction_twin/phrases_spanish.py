@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sitewright.interaction_twin.phrases import Phrasebook
+from sitewright.interaction_twin.told_spanish import TOLD_SPANISH
 
 SPANISH = Phrasebook(
     language="es",
@@ -103,6 +104,7 @@ SPANISH = Phrasebook(
         "status-superseded": "superado",
     },
     noun={"nail": "clavo", "screw": "tornillo", "paint": "cara", "drill": "taladro"},
+    told=TOLD_SPANISH,
     page={
         "plan": "Plan para {target}",
         "single": "Un paso elegido para {target}",

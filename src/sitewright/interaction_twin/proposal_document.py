@@ -18,6 +18,7 @@ from sitewright.interaction_twin.narration import folded
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.proposal_story import ProposalStory
 from sitewright.interaction_twin.proposal_view import StepView, note_in_words, step_views
+from sitewright.interaction_twin.retelling import retold
 from sitewright.interaction_twin.scene_document import pose_json
 from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.robot_team.skill import Skill
@@ -76,8 +77,8 @@ def proposal_document(source: ProposalSource, *, is_open: bool) -> dict[str, Jso
         "is_single": is_single,
         "next_step": source.next_step,
         "status": source.story.status,
-        "why": labels.told(source.why),
-        "notes": [note_in_words(n, labels) for n in source.refusals],
+        "why": retold(source.why, labels, source.book),
+        "notes": [note_in_words(n, labels, source.book) for n in source.refusals],
         "asked_at_ms": source.story.asked_at_ms,
         "decided": source.story.decided,
         "duration_s": round(sum(s.duration_s for s in left), 3),

@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 from sitewright.central_controller.fingerprint import check_code, fingerprint
 from sitewright.central_controller.ports import Alternative, ApprovalRequest, RefusalNote
 from sitewright.central_controller.proposal import Proposal, ProposedStep
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import counted, in_millimetres, in_seconds
 from sitewright.interaction_twin.narration import act_of, folded, narrate, reason
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
+from sitewright.interaction_twin.retelling import retold
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,15 +94,21 @@ def view_of(
         summary=tuple(f"{run.robot} {run.words}" for run in runs),
         duration_s=sum(s.duration_s for s in proposal.steps),
         closest_distance_m=_closest(proposal.steps),
-        notes=tuple(note_in_words(n, labels) for n in refusals),
+        notes=tuple(note_in_words(n, labels, book) for n in refusals),
     )
 
 
-def note_in_words(note: RefusalNote, labels: Labels) -> str:
+def note_in_words(note: RefusalNote, labels: Labels, book: Phrasebook = ENGLISH) -> str:
     """Return a refusal in words: what cannot be, how sure that is, and what is done instead."""
-    then = f"; instead: {note.then}" if note.then else ""
-    told = labels.told(f"{note.reason} ({note.kind}, {note.verdict}){then}")
-    return f"{labels.name(note.target)}: {told}"
+    what = {"target": note.target, "reason": note.reason, "kind": note.kind}
+    what["verdict"] = note.verdict
+    if not note.then:
+        told = Sentence("{target}: {reason} ({kind}, {verdict})", **what)
+    else:
+        told = Sentence(
+            "{target}: {reason} ({kind}, {verdict}); instead: {then}", then=note.then, **what
+        )
+    return retold(told, labels, book)
 
 
 def _closest(steps: Sequence[ProposedStep]) -> float | None:

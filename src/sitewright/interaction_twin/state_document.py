@@ -15,10 +15,13 @@ from sitewright.central_controller.commands import (
 from sitewright.central_controller.cycle import next_command
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.fingerprint import check_code
+from sitewright.central_controller.ports import Question
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.labels import Labels
-from sitewright.interaction_twin.measures import counted
 from sitewright.interaction_twin.narration import narrate
+from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
+from sitewright.interaction_twin.retelling import retold
 
 
 class Phase(StrEnum):
@@ -105,54 +108,71 @@ def _resting(state: CycleState) -> Phase:
     return Phase.IDLE
 
 
-def state_document(state: CycleState, standing: Standing, labels: Labels) -> dict[str, Json]:
+def state_document(
+    state: CycleState, standing: Standing, labels: Labels, book: Phrasebook = ENGLISH
+) -> dict[str, Json]:
     """Return the document without what only the server knows (scene epoch, cell, last event)."""
     phase = phase_of(state, standing)
     site = state.site
     return {
         "type": "state",
         "phase": phase.value,
-        "words": _words(phase, state, standing, labels),
+        "words": _words(phase, state, standing, _Telling(labels, book)),
         "run": state.run,
         "open": _open(state),
-        "running": _running(state, standing, labels),
-        "question": _question(state, labels),
+        "running": _running(state, standing, labels, book),
+        "question": _question(state, labels, book),
         "held": None
         if state.held is None
-        else {"reason": labels.told(state.held.reason), "exit_code": state.held.exit_code},
+        else {"reason": retold(state.held.reason, labels, book), "exit_code": state.held.exit_code},
         "progress": {"installed": len(site.installed), "targets": len(site.targets)},
         "is_over": state.finished is not None and site.is_complete,
     }
 
 
-def _words(phase: Phase, state: CycleState, standing: Standing, labels: Labels) -> str:
+@dataclass(frozen=True, slots=True)
+class _Telling:
+    labels: Labels
+    book: Phrasebook
+
+    def __call__(self, text: str) -> str:
+        return retold(text, self.labels, self.book)
+
+
+def _words(  # noqa: PLR0911 -- one line per case
+    phase: Phase, state: CycleState, standing: Standing, tell: _Telling
+) -> str:
     match phase:
         case Phase.BROKEN:
-            return standing.trouble or "The process of the run is not there."
+            return standing.trouble or tell(Sentence("The process of the run is not there."))
         case Phase.WAITING if state.proposal is not None:
-            steps = counted(len(state.proposal.steps) - state.done, "step")
-            return f"Waiting for you: {steps} for {labels.name(state.proposal.target)}"
+            target, left = state.proposal.target, len(state.proposal.steps) - state.done
+            if left == 1:
+                return tell(Sentence("Waiting for you: 1 step for {target}", target=target))
+            return tell(
+                Sentence("Waiting for you: {steps} steps for {target}", steps=left, target=target)
+            )
         case Phase.RUNNING if state.flight is not None:
-            return narrate(state.flight.intent.call, labels)
+            return narrate(state.flight.intent.call, tell.labels, tell.book)
         case Phase.HELD if state.held is not None:
-            return labels.told(state.held.reason)
+            return tell(state.held.reason)
         case Phase.QUESTION if state.question is not None:
-            return labels.told(state.question.text)
+            return _question_text(state.question, tell.labels, tell.book)
         case _:
-            return _WORDS[phase]
+            return tell(_WORDS[phase])
 
 
 _WORDS = {
-    Phase.IDLE: "The run stands. Resume to go on.",
-    Phase.PLANNING: "Planning the next target.",
-    Phase.WAITING: "Waiting for you.",
-    Phase.RUNNING: "Under way.",
-    Phase.HOLDING: "A hold was asked for; the robots are coming to rest.",
-    Phase.HELD: "Held.",
-    Phase.QUESTION: "Only a person can say what happened.",
-    Phase.NEEDS_HELP: "Some targets cannot be built now; a person is needed.",
-    Phase.FINISHED: "Every component is installed.",
-    Phase.BROKEN: "The run broke off.",
+    Phase.IDLE: Sentence("The run stands. Resume to go on."),
+    Phase.PLANNING: Sentence("Planning the next target."),
+    Phase.WAITING: Sentence("Waiting for you."),
+    Phase.RUNNING: Sentence("Under way."),
+    Phase.HOLDING: Sentence("A hold was asked for; the robots are coming to rest."),
+    Phase.HELD: Sentence("Held."),
+    Phase.QUESTION: Sentence("Only a person can say what happened."),
+    Phase.NEEDS_HELP: Sentence("Some targets cannot be built now; a person is needed."),
+    Phase.FINISHED: Sentence("Every component is installed."),
+    Phase.BROKEN: Sentence("The run broke off."),
 }
 
 
@@ -170,7 +190,7 @@ def _open(state: CycleState) -> Json:
     }
 
 
-def _running(state: CycleState, standing: Standing, labels: Labels) -> Json:
+def _running(state: CycleState, standing: Standing, labels: Labels, book: Phrasebook) -> Json:
     if state.flight is None:
         return None
     intent, made = state.flight.intent, state.proposal
@@ -180,13 +200,13 @@ def _running(state: CycleState, standing: Standing, labels: Labels) -> Json:
         "step": intent.step,
         "fingerprint": intent.fingerprint,
         "robot": intent.call.robot,
-        "words": narrate(intent.call, labels),
+        "words": narrate(intent.call, labels, book),
         "started_at_ms": standing.started_at_ms,
         "duration_s": planned,
     }
 
 
-def _question(state: CycleState, labels: Labels) -> Json:
+def _question(state: CycleState, labels: Labels, book: Phrasebook) -> Json:
     question = state.question
     if question is None:
         return None
@@ -194,6 +214,16 @@ def _question(state: CycleState, labels: Labels) -> Json:
         "question_id": question.question_id,
         "step": question.step,
         "target": question.target,
-        "text": labels.told(question.text),
+        "text": _question_text(question, labels, book),
         "answers": ["done", "not-done", "partial"],
     }
+
+
+def _question_text(question: Question, labels: Labels, book: Phrasebook) -> str:
+    text = Sentence(
+        "Step {step} ({what}) was started and its end is not recorded. Look at the piece: is it "
+        "done, not done, or done in part?",
+        step=question.step,
+        what=narrate(question.call, labels, book),
+    )
+    return retold(text, labels, book)

@@ -4,40 +4,60 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.events import DeviationSeen, RefusalMet, TargetRefused
-from sitewright.central_controller.ports import RefusalNote, verdict_of
-from sitewright.central_controller.steering import hand_facts
+from sitewright.central_controller.outcomes import WITH_HELPS
+from sitewright.central_controller.ports import RefusalNote
+from sitewright.central_controller.steering import HELD_BY_PERSON, hand_facts
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.labels import Labels
+from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.report.content import Stamped
+from sitewright.interaction_twin.retelling import retold
 from sitewright.planning_twin.moment import Moment
 from sitewright.planning_twin.scene import Attachment
 
 _NEEDS_PERSON = 3
 
 
-def trouble_document(state: CycleState, history: Sequence[Stamped], labels: Labels) -> list[Json]:
+def trouble_document(
+    state: CycleState,
+    history: Sequence[Stamped],
+    labels: Labels,
+    book: Phrasebook = ENGLISH,
+) -> list[Json]:
     """Return one entry per target that is set aside, and one for what made the run stand."""
-    refused = _refusals(history)
+    refused, telling = _refusals(history), _Telling(state, labels, book)
     site = state.site
     found: list[Json] = [
-        _refused(target, reason, refused.get(target), state, labels)
+        telling.refused(target, reason, refused.get(target))
         for target, reason in site.refused.items()
     ]
     found += [
-        _entry(target, reason, "a person must put it right", (), state, labels)
+        telling.entry(target, reason, Verdict.PERSON)
         for target, reason in site.needs_rework.items()
     ]
     last = next((s.event for s in reversed(history) if isinstance(s.event, DeviationSeen)), None)
     if state.held is not None and last is not None and last.level >= _NEEDS_PERSON:
         subject = ComponentId(last.subject)
-        what = f"{labels.name(subject)} {last.what}"
-        found.append(_entry(subject, what, "", (subject,), state, labels))
+        what = Sentence("{what}: {detail}", what=subject, detail=last.what)
+        found.append(telling.entry(subject, what, None, (subject,)))
     return found
+
+
+class Verdict(StrEnum):
+    """How sure a "no" is, for pages that explain it."""
+
+    PROVEN = "proven"
+    BLOCKED = "blocked"
+    NOT_FOUND = "not-found"
+    PERSON = "person"
+    WISH = "wish"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,27 +92,103 @@ def _refusals(history: Sequence[Stamped]) -> dict[ComponentId, _Refused]:
     return found
 
 
-def _refused(
-    target: ComponentId,
-    reason: str,
-    refused: _Refused | None,
-    state: CycleState,
-    labels: Labels,
-) -> dict[str, Json]:
-    if refused is None:
-        return _entry(target, reason, "", (), state, labels)
-    event, note = refused.event, refused.telling
-    verdict = verdict_of([labels.body(b) for b in event.blockers], is_proven=event.is_proven)
-    entry = _entry(target, reason, verdict, event.blockers, state, labels)
-    helps: list[Json] = [
-        {"words": labels.told(c.words), "steps": c.steps, "duration_s": c.duration_s}
-        for c in event.counter_proposals
-    ]
-    entry["counter_proposals"] = helps
-    if note is not None:
-        entry["pair"] = list(note.pair)
-        entry["posture"] = None if note.moment is None else _posture(note.moment)
-    return entry
+@dataclass(frozen=True, slots=True)
+class _Telling:
+    """Says what a person must help with, in one language."""
+
+    state: CycleState
+    labels: Labels
+    book: Phrasebook
+
+    def __call__(self, text: str) -> str:
+        return retold(text, self.labels, self.book)
+
+    def refused(
+        self, target: ComponentId, reason: str, refused: _Refused | None
+    ) -> dict[str, Json]:
+        """Return the entry of a target that was set aside."""
+        if refused is None:
+            return self.entry(target, reason, None)
+        event, note = refused.event, refused.telling
+        entry = self.entry(target, _without_helps(reason), _verdict(event), event.blockers)
+        entry["counter_proposals"] = [
+            {"words": self(c.words), "steps": c.steps, "duration_s": c.duration_s}
+            for c in event.counter_proposals
+        ]
+        if note is not None:
+            entry["pair"] = list(note.pair)
+            entry["pair_names"] = [self(Sentence("{text}", text=name)) for name in note.pair]
+            entry["posture"] = None if note.moment is None else _posture(note.moment)
+        return entry
+
+    def entry(
+        self,
+        target: ComponentId,
+        reason: str,
+        verdict: Verdict | None,
+        blockers: Sequence[str] = (),
+    ) -> dict[str, Json]:
+        """Return an entry without what only a refusal knows."""
+        words = "" if verdict is None else self(_words_of(verdict, tuple(blockers)))
+        return {
+            "target": target,
+            "name": self.labels.name(target),
+            "reason": self(reason),
+            "verdict": words,
+            "verdict_kind": "" if verdict is None else verdict.value,
+            "pair": None,
+            "pair_names": [],
+            "posture": None,
+            "blockers": list(blockers),
+            "blocker_names": [self(Sentence("{text}", text=b)) for b in blockers],
+            "counter_proposals": [],
+            "options": self.options(target),
+        }
+
+    def options(self, target: ComponentId) -> list[Json]:
+        """Return what a person can decide now; each is checked again when it is decided."""
+        state, found = self.state, list[Json]()
+        if state.held is not None or state.finished is not None:
+            words = self(Sentence("Plan it again, after the cell was looked at"))
+            found.append({"id": "again", "verb": "resume", "words": words})
+        if hand_facts(state.site).get(target):
+            words = self(Sentence("Say which of its work was done by hand"))
+            found.append({"id": "by-hand", "verb": "manual", "words": words})
+        for zone in state.site.zones:
+            words = self(Sentence("Take {zone} away", zone=zone))
+            remove: Json = {"remove": zone}
+            found.append({"id": f"remove-{zone}", "verb": "zone", "zone": remove, "words": words})
+        return found
+
+
+def _without_helps(reason: str) -> str:
+    """Return a reason without what works, which is listed beside it."""
+    if isinstance(reason, Sentence) and reason.template == WITH_HELPS:
+        inner = reason.places["reason"]
+        return inner if isinstance(inner, str) else reason
+    return reason
+
+
+def _verdict(event: TargetRefused) -> Verdict:
+    if event.exit_code == HELD_BY_PERSON:
+        return Verdict.WISH
+    if event.is_proven:
+        return Verdict.PROVEN
+    return Verdict.BLOCKED if event.blockers else Verdict.NOT_FOUND
+
+
+def _words_of(verdict: Verdict, blockers: tuple[str, ...]) -> Sentence:
+    match verdict:
+        case Verdict.PROVEN:
+            return Sentence("proven impossible")
+        case Verdict.BLOCKED:
+            return Sentence("blocked by {things:and}", things=blockers)
+        case Verdict.NOT_FOUND:
+            return Sentence("not found within budget")
+        case Verdict.PERSON:
+            return Sentence("a person must put it right")
+        case Verdict.WISH:
+            return Sentence("a person's wish")
 
 
 def _posture(moment: Moment) -> Json:
@@ -109,46 +205,3 @@ def _placed(name: str, placement: Pose | Attachment) -> Json:
             on = None
     at = {"p_m": list(pose.position_m), "q_wxyz": list(pose.quaternion_wxyz)}
     return {"body": name, "on": on, "pose": at}
-
-
-def _entry(
-    target: ComponentId,
-    reason: str,
-    verdict: str,
-    blockers: Sequence[str],
-    state: CycleState,
-    labels: Labels,
-) -> dict[str, Json]:
-    return {
-        "target": target,
-        "name": labels.name(target),
-        "reason": labels.told(reason),
-        "verdict": verdict,
-        "pair": None,
-        "posture": None,
-        "blockers": list(blockers),
-        "blocker_names": [labels.body(b) for b in blockers],
-        "counter_proposals": [],
-        "options": _options(target, state),
-    }
-
-
-def _options(target: ComponentId, state: CycleState) -> list[Json]:
-    """Return what a person can decide now; each is checked again when it is decided."""
-    found: list[Json] = []
-    if state.held is not None or state.finished is not None:
-        words = "Plan it again, after the cell was looked at"
-        found.append({"id": "again", "verb": "resume", "words": words})
-    if hand_facts(state.site).get(target):
-        words = "Say which of its work was done by hand"
-        found.append({"id": "by-hand", "verb": "manual", "words": words})
-    found += [
-        {
-            "id": f"remove-{zone}",
-            "verb": "zone",
-            "zone": {"remove": zone},
-            "words": f"Take the keep-out zone {zone} away",
-        }
-        for zone in state.site.zones
-    ]
-    return found

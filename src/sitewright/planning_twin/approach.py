@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose, Vector
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.blockers import blocked_by
 from sitewright.planning_twin.jobsite import lifted
 from sitewright.planning_twin.motion import PathSegment, PlanningBackends
@@ -174,7 +175,7 @@ class Approaches:
         blocked = self._blocked.get(shape) if shape else None
         if blocked is not None and (pairs := blocked.pairs(self.reaching)):
             return blocked_by(self.reaching.scene, self.reaching.robot, [(blocked.q_rad, pairs)])
-        return NoIk(is_proven=False, reason="no posture serves what follows")
+        return NoIk(is_proven=False, reason=Sentence("no posture serves what follows"))
 
     def why_not(self) -> NoIk | BlockedBy:
         """Return why there is none, once all were looked for.
@@ -189,7 +190,7 @@ class Approaches:
         if found := [(q_rad, pairs) for q_rad, pairs in named if pairs]:
             return blocked_by(self.reaching.scene, self.reaching.robot, found)
         return self._lost or NoIk(
-            is_proven=False, reason="no branch of the inverse kinematics holds"
+            is_proven=False, reason=Sentence("no branch of the inverse kinematics holds")
         )
 
     def _pairs_at_both_ends(self, contact_rad: Joints) -> tuple[Joints, tuple[Pair, ...]]:

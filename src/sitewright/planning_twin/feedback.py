@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import dataclass, field, replace
 
 from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.blockers import removals
 from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.refusal import BlockedBy, Disagreement, NoGrasp, NotClear, Refusal
@@ -150,19 +151,23 @@ def _pairs(refusal: Refusal) -> tuple[Pair, ...]:
             return ()
 
 
-def sentence(act: SkillCall, place: str, piece: ComponentId | None, refusal: Refusal) -> str:
+def sentence(act: SkillCall, place: str, piece: ComponentId | None, refusal: Refusal) -> Sentence:
     """Return what cannot be done, by whom and why."""
+    robot, why = act.robot, in_words(refusal)
+    here = {"robot": robot, "place": place, "piece": str(piece), "why": why}
     match act.skill:
         case Skill.GRASP:
-            what = f"take {piece} at {place}"
+            return Sentence("{robot} cannot take {piece} at {place}: {why}", **here)
         case Skill.POSITION:
-            what = f"place {piece} at {place}"
+            return Sentence("{robot} cannot place {piece} at {place}: {why}", **here)
         case Skill.SET_DOWN:
-            what = f"set {piece} down at {place}"
+            return Sentence("{robot} cannot set {piece} down at {place}: {why}", **here)
         case Skill.RETRACT:
-            what = f"leave {place}"
+            return Sentence("{robot} cannot leave {place}: {why}", **here)
         case Skill.RELEASE:
-            what = f"let go of {piece or place}"
+            held = piece or place
+            return Sentence(
+                "{robot} cannot let go of {held}: {why}", robot=robot, held=held, why=why
+            )
         case _:
-            what = f"reach {place}"
-    return f"{act.robot} cannot {what}: {in_words(refusal)}"
+            return Sentence("{robot} cannot reach {place}: {why}", **here)

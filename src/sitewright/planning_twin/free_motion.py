@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from sitewright.foundation.ids import RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.motion import (
     MotionRequest,
     PathSegment,
@@ -82,7 +83,7 @@ def fulfilled(
         if refusal is None:
             return segment
     if refusal is None:
-        return NoPath(nodes=request.max_nodes, seeds=(seed,), reason="nothing was tried")
+        return NoPath(nodes=request.max_nodes, seeds=(seed,), reason=Sentence("nothing was tried"))
     return refusal
 
 

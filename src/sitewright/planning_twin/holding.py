@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.grasp_trial import GraspTrial, grasp_trial
 from sitewright.planning_twin.grasps import Grasp, grasp_in_use, grasps_of
 from sitewright.planning_twin.held_proof import proof_of_too_few
@@ -30,6 +31,17 @@ _TACKS = "fasten while held"
 _PICK = "pick and lift"
 _PLACE = "place"
 _FAR_PIECE = "reach the piece"
+_FAR_TARGET = "reach the target"
+_LET_GO = "let go"
+DROPPED: Mapping[str, Sentence] = {
+    _TACKS: Sentence("fasten while held"),
+    _PICK: Sentence("pick and lift"),
+    _PLACE: Sentence("place"),
+    _LET_GO: Sentence("let go"),
+    _FAR_PIECE: Sentence("reach the piece"),
+    _FAR_TARGET: Sentence("reach the target"),
+}
+"""Where grasps fail, in words."""
 _LOOKED_AT = 8
 """So many grasps are looked at to tell what is in the way, once none has served."""
 
@@ -53,7 +65,7 @@ def find_holding(
     """
     tool = context.tool_of(robot.id)
     if tool is None or tool.grips_m is None:
-        return NoGrasp(is_proven=True, candidates=0, reason="no gripper is mounted")
+        return NoGrasp(is_proven=True, candidates=0, reason=Sentence("no gripper is mounted"))
     candidates = _candidates(context, robot, tool, piece)
     hopeless = (
         _too_heavy(context, robot, tool, piece)
@@ -142,12 +154,17 @@ def _taken(
 def _in_its_place(trial: GraspTrial, others: tuple[str, ...], q_rad: Joints) -> BlockedBy | None:
     if not others:
         return None
-    are = "is" if len(others) == 1 else "are"
+    is_one = len(others) == 1
+    reason = (
+        Sentence("{things:and} is in its place", things=others)
+        if is_one
+        else Sentence("{things:and} are in its place", things=others)
+    )
     pairs = tuple((str(trial.piece), other) for other in others)
     return BlockedBy(
         pairs=pairs,
         removals=(others,),
-        reason=f"{' and '.join(others)} {are} in its place",
+        reason=reason,
         moment=moment_of(trial.carrying.scene, {trial.robot.id: q_rad}, pairs[0]),
     )
 
@@ -172,22 +189,37 @@ def _too_far(
     candidates: list[Grasp],
 ) -> NoGrasp | None:
     """Return the proof that no grasp reaches the piece, or the target, from the robot's base."""
-    ends = {"reach the target": context.task.world_T_target}
+    ends = {_FAR_TARGET: context.task.world_T_target}
     if context.site.arms[robot.id].held != piece:
         ends[_FAR_PIECE] = context.site.world_T_piece[piece]
     for end, world_T_piece in ends.items():
         proofs = _proofs_of_far(context, robot, tool, world_T_piece, candidates)
         if proofs:
             least = min(p.extension_m for p in proofs)
-            by = f" by {least * 1000:.0f} mm" if least > 0.0 else ""
             return NoGrasp(
                 is_proven=True,
                 candidates=len(candidates),
                 dropped_by=((end, len(candidates)),),
-                reason=f"{end.removeprefix('reach ')} is out of reach{by} "
-                "with every grasp (proven)",
+                reason=_far(end, least),
             )
     return None
+
+
+def _far(end: str, least_m: float) -> Sentence:
+    is_target = end == _FAR_TARGET
+    if least_m <= 0.0 and is_target:
+        return Sentence("the target is out of reach with every grasp (proven)")
+    if least_m <= 0.0:
+        return Sentence("the piece is out of reach with every grasp (proven)")
+    if is_target:
+        return Sentence(
+            "the target is out of reach by {by_mm:.0f} mm with every grasp (proven)",
+            by_mm=least_m * 1000,
+        )
+    return Sentence(
+        "the piece is out of reach by {by_mm:.0f} mm with every grasp (proven)",
+        by_mm=least_m * 1000,
+    )
 
 
 def _proofs_of_far(
@@ -238,7 +270,7 @@ def _serving(trial: GraspTrial, rank: int, dropped: Counter[str]) -> Iterator[Ho
     for number, place in trial.placements():
         is_placed = True
         if not trial.can_leave(place):
-            dropped["let go"] += 1
+            dropped[_LET_GO] += 1
             continue
         yield Holding(
             robot=trial.robot.id,
@@ -267,14 +299,21 @@ def _reason(
     dropped: Counter[str],
     tried: tuple[Holding, ...],
     never: HeldFreedoms | None,
-) -> str:
+) -> Sentence:
     if dropped[_TACKS]:
         return too_few_words(tacking, never)
     if tried:
-        return f"the motions of all {len(tried)} grasps that serve were refused"
+        return Sentence(
+            "the motions of all {count} grasps that serve were refused", count=len(tried)
+        )
     if not dropped:
-        return "no side of the piece fits between the gripper's fingers"
-    return "no grasp serves " + ", ".join(f"{name} ({n})" for name, n in dropped.most_common())
+        return Sentence("no side of the piece fits between the gripper's fingers")
+    return Sentence("no grasp serves {ends:comma}", ends=dropped_at(dropped.most_common()))
+
+
+def dropped_at(dropped: Iterable[tuple[str, int]]) -> tuple[Sentence, ...]:
+    """Return at which ends of its motions grasps failed, and how many, in words."""
+    return tuple(Sentence("{end} ({count})", end=DROPPED[end], count=n) for end, n in dropped)
 
 
 def _too_heavy(

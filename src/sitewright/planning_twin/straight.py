@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from sitewright.foundation.pose import Pose, Quaternion, add, scale, subtract
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.motion import Kinematics
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.planning_twin.scene import RobotInScene
@@ -50,7 +51,7 @@ def straight_line(
     start_rad = line.posture(0.0, near_rad)
     if isinstance(start_rad, NoIk):
         return start_rad
-    refusal = NoIk(is_proven=False, reason="the line cannot be followed closely enough")
+    refusal = NoIk(is_proven=False, reason=Sentence("the line cannot be followed closely enough"))
     for pieces in _PIECES:
         found = _waypoints(line, start_rad, pieces)
         if isinstance(found, NoIk):
@@ -76,7 +77,10 @@ def _waypoints(line: _Line, start_rad: Joints, pieces: int) -> tuple[Joints, ...
         if jump > allowed_rad:
             return NoIk(
                 is_proven=False,
-                reason=f"the arm would have to change its branch on the line ({jump:.2f} rad)",
+                reason=Sentence(
+                    "the arm would have to change its branch on the line ({jump_rad:.2f} rad)",
+                    jump_rad=jump,
+                ),
             )
         waypoints.append(found)
     return tuple(waypoints)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 
 from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.holding import depends_on_start, find_holding, steadying
 from sitewright.planning_twin.holding_scope import holding_scope
 from sitewright.planning_twin.jobsite import Jobsite
@@ -170,7 +171,11 @@ def _if_tacks_agree(
     first = next(iter(holdings.values()), found)
     if set(first.tacks) == set(found.tacks):
         return found
-    reason = f"{first.robot} holds {first.piece} while other fasteners are driven"
+    reason = Sentence(
+        "{robot} holds {piece} while other fasteners are driven",
+        robot=first.robot,
+        piece=first.piece,
+    )
     return NoGrasp(is_proven=False, candidates=1, reason=reason)
 
 
@@ -197,19 +202,31 @@ def _no_holding(
         fact: Fact = ("can-place", robot.id, piece, target)
     else:
         fact = ("can-grasp", robot.id, arm.mounted, piece)
-    evidence = f"{robot.id} cannot take {piece} and place it at {target}: {in_words(refusal)}"
+    evidence = Sentence(
+        "{robot} cannot take {piece} and place it at {target}: {why}",
+        robot=robot.id,
+        piece=piece,
+        target=target,
+        why=in_words(refusal),
+    )
     refused = replace(_refused(context, robot, fact, refusal, evidence), piece=piece)
     if not isinstance(refusal, BlockedBy):
         return refused
-    away = " and ".join(other for _, other in refusal.pairs)
-    return replace(refused, nogood=replace(refused.nogood, remedy=f"take {away} out of the way"))
+    away = tuple(other for _, other in refusal.pairs)
+    remedy = Sentence("take {things:and} out of the way", things=away)
+    return replace(refused, nogood=replace(refused.nogood, remedy=remedy))
 
 
 def _no_reach(context: TwinContext) -> Iterator[StudyRefusal]:
     for robot, spot, tool in tools_at_spots(context):
         refusal = out_of_reach(context, robot, spot, tool)
         if refusal is not None:
-            evidence = f"{robot.id} cannot reach {spot.operation}: {in_words(refusal)}"
+            evidence = Sentence(
+                "{robot} cannot reach {place}: {why}",
+                robot=robot.id,
+                place=spot.operation,
+                why=in_words(refusal),
+            )
             fact = ("can-reach", robot.id, spot.operation)
             yield _refused(context, robot, fact, refusal, evidence)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from sitewright.errors import BackendError
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.grounding import GroundAction
 from sitewright.symbolic_planning.problem import Problem
@@ -74,12 +75,16 @@ class SymbolicPlanner(Protocol):
 def foregone(problem: Problem, *, planner: str) -> SkillSequence | NoPlan | None:
     """Return the answer that needs no search, if there is one."""
     if problem.impossible:
-        return NoPlan(is_proven=True, reason=f"{'; '.join(problem.impossible)}.", planner=planner)
+        return NoPlan(
+            is_proven=True, reason=Sentence("{all:semi}.", all=problem.impossible), planner=planner
+        )
     lost = lost_goals(problem, problem.init)
     if lost:
-        listed = ", ".join(fact_text(f) for f in lost)
+        facts = tuple(fact_text(f) for f in lost)
         return NoPlan(
-            is_proven=True, reason=f"No skill of this team makes {listed} true.", planner=planner
+            is_proven=True,
+            reason=Sentence("No skill of this team makes {facts:comma} true.", facts=facts),
+            planner=planner,
         )
     if is_goal(problem, problem.init):
         return sequence(problem, (), planner=planner, wall_s=0.0)

@@ -13,6 +13,7 @@ from sitewright.construction_graph.graph import NOWHERE, TargetNode
 from sitewright.construction_graph.queries import material_type, materials
 from sitewright.errors import BackendError, BuildingModelError
 from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.skill import SkillCall
 from sitewright.symbolic_planning.costs import FUNCTIONS
 from sitewright.symbolic_planning.domain import Domain, Fact
@@ -202,7 +203,9 @@ def _static_goals(
     holds = [f for f in goal_not if f in static]
     texts = [fact_text(_in_site_ids(f, names)) for f in differs]
     texts += [f"(not {fact_text(_in_site_ids(f, names))})" for f in holds]
-    return tuple(f"goal needs {t}, which no skill changes" for t in sorted(texts))
+    return tuple(
+        Sentence("goal needs {fact}, which no skill changes", fact=t) for t in sorted(texts)
+    )
 
 
 def _in_site_ids(fact: Fact, names: Mapping[str, str]) -> Fact:
@@ -219,15 +222,27 @@ def _hopeless_operations(site: SiteIndex) -> tuple[str, ...]:
         node = site.view.graph.node_by_id.get(target)
         for op in node.operations if isinstance(node, TargetNode) else ():
             if op.process not in handled:
-                found.append(f"operation {op.id} of {target} is {op.process}, which no skill does")
+                found.append(
+                    Sentence(
+                        "operation {operation} of {target} is {process}, which no skill does",
+                        operation=op.id,
+                        target=target,
+                        process=op.process.value,
+                    )
+                )
             later = [
                 b
                 for b in op.after
                 if b not in site.fasteners and b not in site.view.done_operations
             ]
             found.extend(
-                f"operation {op.id} of {target} comes after {b}, which is not done "
-                "and is no fastener of this target"
+                Sentence(
+                    "operation {operation} of {target} comes after {other}, which is not done "
+                    "and is no fastener of this target",
+                    operation=op.id,
+                    target=target,
+                    other=b,
+                )
                 for b in later
                 if op.process is not Process.PLACE
             )
@@ -246,8 +261,12 @@ def _no_piece(site: SiteIndex) -> tuple[str, ...]:
         for n in materials(view.graph)
         if n.place == NOWHERE and fits(material_type(n), node.material_type)
     ]
-    there = f"; at no stock place any more: {', '.join(lost)}" if lost else ""
-    return (f"no piece that fits {view.target} can be taken{there}",)
+    none = Sentence("no piece that fits {target} can be taken", target=view.target)
+    if not lost:
+        return (none,)
+    return (
+        Sentence("{none}; at no stock place any more: {lost:comma}", none=none, lost=tuple(lost)),
+    )
 
 
 def _check_types_known(domain: Domain, objects: Sequence[SiteObject]) -> None:

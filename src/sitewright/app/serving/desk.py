@@ -29,6 +29,7 @@ from sitewright.central_controller.ports import (
 from sitewright.central_controller.site_state import SiteState
 from sitewright.errors import JournalError, SitewrightError
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.sentence import Sentence, parts_of
 from sitewright.interaction_twin.decisions import (
     Reply,
     Signed,
@@ -397,4 +398,5 @@ def _way(way: Alternative) -> Json:
         "price_s": way.price_s,
         "is_feasible": not way.leads_nowhere,
         "note": way.note,
+        "note_told": parts_of(way.note) if isinstance(way.note, Sentence) else None,
     }

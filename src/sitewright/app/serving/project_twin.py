@@ -137,7 +137,7 @@ class ProjectTwin:
         record, is_drawn_otherwise = heard
         if is_drawn_otherwise:
             self._scenes.outdate()
-        self._audience.tell(self._view.told(record))
+        self._audience.tell(lambda language: self._view.told(record, self._book(language)))
 
     async def _start_again(self) -> None:
         async with self._start_lock:
@@ -145,21 +145,21 @@ class ProjectTwin:
                 await self._link.start(self._hear, waits=True)
 
     def _tell_state(self) -> None:
-        self._audience.tell(self.state())
+        self._audience.tell(self.state)
 
     # ---- looking -----------------------------------------------------------------------------
 
-    def state(self) -> Document:
+    def state(self, language: str = "en") -> Document:
         """Return how the run stands now."""
         return {
-            **self._view.document(),
+            **self._view.document(self._book(language)),
             "scene_epoch": self._scenes.epoch,
             "cell": "live" if self.feed.is_live else "absent",
         }
 
-    def events_after(self, run: str, number: int) -> Sequence[Document]:
-        """Return the events after one, in order."""
-        return self._view.events_after(run, number)
+    def events_after(self, run: str, number: int, language: str) -> Sequence[Document]:
+        """Return the events after one, as pages get them."""
+        return self._view.events_after(run, number, self._book(language))
 
     def last_event(self) -> tuple[str, int]:
         """Return run and number of the newest event."""
@@ -174,7 +174,7 @@ class ProjectTwin:
         made = self._view.records.state.proposal
         wanted = fingerprint or ("" if made is None else made.fingerprint)
         if not wanted:
-            state = self.state()
+            state = self.state(language)
             return {"open": None, "phase": state["phase"], "reason": state["words"]}
         found = await self._find(wanted)
         if found is None:
@@ -357,9 +357,10 @@ class ProjectTwin:
             return reply
         return ways_reply(fingerprint, reply.body, self._view.labels, self._book(language))
 
-    def by_hand(self, target: str) -> Document | None:
+    def by_hand(self, target: str, language: str) -> Document | None:
         """Return what a person can vouch for at a target; None if its piece is not in place."""
-        return by_hand_document(target, self._view.records.state.site, self._view.labels)
+        site, book = self._view.records.state.site, self._book(language)
+        return by_hand_document(target, site, self._view.labels, book)
 
     def _book(self, language: str) -> Phrasebook:
         """Return the sentences of a language; English for one that is not there."""

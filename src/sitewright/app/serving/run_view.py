@@ -37,6 +37,7 @@ from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import RobotId
 from sitewright.interaction_twin.event_document import event_document
 from sitewright.interaction_twin.labels import labels_of
+from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.scene_document import SceneSource
 from sitewright.interaction_twin.state_document import Standing, state_document
@@ -80,7 +81,7 @@ class RunView:
         self.labels = labels_of(self.project.model, self.project.cell)
         self.records = Records(site_of(self.project.model), history_of(self.runs))
         self.standing = Standing(is_active=False)
-        self._told: dict[tuple[str, int], dict[str, Json]] = {}
+        self._told: dict[tuple[str, int, str], dict[str, Json]] = {}
         self.events_after("", 0)
 
     @property
@@ -94,16 +95,18 @@ class RunView:
         first = self.records.first_run
         return self.runs / first / "cell" if first else None
 
-    def told(self, record: Numbered) -> dict[str, Json]:
-        """Return an event as pages get it; worked out once."""
-        key = (record.run, record.stamped.number)
+    def told(self, record: Numbered, book: Phrasebook = ENGLISH) -> dict[str, Json]:
+        """Return an event as pages get it; worked out once for each language."""
+        key = (record.run, record.stamped.number, book.language)
         if key not in self._told:
-            self._told[key] = event_document(record.run, record.stamped, self.labels)
+            self._told[key] = event_document(record.run, record.stamped, self.labels, book)
         return self._told[key]
 
-    def events_after(self, run: str, number: int) -> list[dict[str, Json]]:
+    def events_after(
+        self, run: str, number: int, book: Phrasebook = ENGLISH
+    ) -> list[dict[str, Json]]:
         """Return the events after one, in order, as pages get them."""
-        return [self.told(r) for r in self.records.after(run, number)]
+        return [self.told(r, book) for r in self.records.after(run, number)]
 
     def hear_event(self, message: Message) -> tuple[Numbered, bool] | None:
         """Take a record in; return it and whether more is drawn otherwise; None if it is known."""
@@ -138,14 +141,14 @@ class RunView:
         """Somebody wants a hold that is not in the journal yet."""
         self.standing = replace(self.standing, is_hold_asked=True)
 
-    def document(self) -> dict[str, Json]:
+    def document(self, book: Phrasebook = ENGLISH) -> dict[str, Json]:
         """Return how the run stands now."""
         run, number = self.records.last
         standing = replace(self.standing, started_at_ms=self.records.skill_started_ms)
         state = self.records.state
         return {
-            **state_document(state, standing, self.labels),
-            "trouble": trouble_document(state, self.records.stamped, self.labels),
+            **state_document(state, standing, self.labels, book),
+            "trouble": trouble_document(state, self.records.stamped, self.labels, book),
             "run": run,
             "n": number,
         }

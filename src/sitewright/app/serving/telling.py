@@ -8,10 +8,12 @@ from sitewright.central_controller.site_state import SiteState
 from sitewright.central_controller.steering import hand_facts
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.foundation.sentence import Sentence, sentence_of
 from sitewright.interaction_twin.decisions import Reply
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.narration import narrate
 from sitewright.interaction_twin.phrases import Phrasebook
+from sitewright.interaction_twin.retelling import retold
 from sitewright.robot_team.skill import SkillCall
 
 
@@ -41,11 +43,19 @@ def _told(way: Mapping[str, Json], labels: Labels, book: Phrasebook) -> Json:
     words = narrate(skill_call, labels, book)
     facts = {**call, "words": words, "duration_s": way["duration_s"]}
     if way["is_feasible"]:
-        return {**facts, "price_s": way["price_s"], "note": way["note"]}
-    return {**facts, "why_not": way["note"] or "It leads nowhere."}
+        return {**facts, "price_s": way["price_s"], "note": retold(_note(way), labels, book)}
+    return {**facts, "why_not": retold(_note(way) or Sentence("It leads nowhere."), labels, book)}
 
 
-def by_hand_document(target: str, site: SiteState, labels: Labels) -> Mapping[str, Json] | None:
+def _note(way: Mapping[str, Json]) -> str:
+    """Return a note as the sentence that it was, if it was one."""
+    parts = way.get("note_told")
+    return str(way["note"]) if parts is None else sentence_of(parts)
+
+
+def by_hand_document(
+    target: str, site: SiteState, labels: Labels, book: Phrasebook
+) -> Mapping[str, Json] | None:
     """Return the checklist of what a person can vouch for at a target; None if there is none."""
     facts = hand_facts(site).get(ComponentId(target))
     if facts is None:
@@ -53,12 +63,12 @@ def by_hand_document(target: str, site: SiteState, labels: Labels) -> Mapping[st
     return {
         "target": target,
         "name": labels.name(target),
-        "effects": [{"fact": f, "words": _in_words(f, labels)} for f in facts],
+        "effects": [{"fact": f, "words": _in_words(f, labels, book)} for f in facts],
     }
 
 
-def _in_words(fact: str, labels: Labels) -> str:
+def _in_words(fact: str, labels: Labels, book: Phrasebook) -> str:
     name, subject = fact.strip("()").split()
     if name == "standing":
-        return f"{labels.name(subject)} stands by itself"
-    return f"{labels.name(subject)} of {labels.name(labels.label(subject).of)} is done"
+        return retold(Sentence("{target} stands by itself", target=subject), labels, book)
+    return retold(Sentence("{operation} is done", operation=subject), labels, book)

@@ -106,8 +106,8 @@ class Api:
 
     async def state(self, request: Request, person: Person) -> Response:
         """Tell how the run stands."""
-        del request, person
-        return JSONResponse(self._twin.state())
+        del person
+        return JSONResponse(self._twin.state(_language(request)))
 
     async def scene(self, request: Request, person: Person) -> Response:
         """Return what is drawn, or that nothing changed."""
@@ -140,7 +140,7 @@ class Api:
         """Return the checklist of what was perhaps done by hand at a target."""
         del person
         wanted = request.path_params["target"]
-        found = self._twin.by_hand(wanted)
+        found = self._twin.by_hand(wanted, _language(request))
         return (
             answer(unknown("piece in place at", wanted)) if found is None else JSONResponse(found)
         )

@@ -7,7 +7,7 @@ import json
 from collections import deque
 from dataclasses import dataclass, field
 
-from sitewright.interaction_twin.web.twin import Document
+from sitewright.interaction_twin.web.twin import Document, News
 
 MOST_UNSENT_BYTES = 1_000_000
 """A page that is further behind is closed; it comes back and asks for what it missed."""
@@ -24,12 +24,14 @@ class Listener:
 
     Attributes:
         is_behind: So much is unsent that it is better closed.
+        language: In which it reads.
     """
 
     texts: deque[str] = field(default_factory=deque)
     frames: dict[int, bytes] = field(default_factory=dict)
     bell: asyncio.Event = field(default_factory=asyncio.Event)
     is_behind: bool = False
+    language: str = "en"
     _unsent: int = 0
 
     def tell(self, text: str) -> None:
@@ -76,11 +78,14 @@ class Hub:
         """Let a page go."""
         self._listeners.discard(listener)
 
-    def tell(self, news: Document) -> None:
-        """Send a text to all, encoded once."""
-        text = text_of(news)
+    def tell(self, news: News) -> None:
+        """Send a text to all, encoded once for each language that somebody reads."""
+        texts: dict[str, str] = {}
         for listener in self._listeners:
-            listener.tell(text)
+            language = listener.language
+            if language not in texts:
+                texts[language] = text_of(news(language))
+            listener.tell(texts[language])
 
     def show(self, frame: bytes) -> None:
         """Send a frame to all; the slow ones get the newest only."""

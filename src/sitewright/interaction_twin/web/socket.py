@@ -35,35 +35,70 @@ class Socket:
             await _close(socket, _NO_TICKET, "ticket")
             return
         listener = Listener()
-        self._catch_up(listener, hello.get("after"))
+        self._catch_up(listener, hello)
         self._hub.join(listener)
         sender = asyncio.create_task(_send(socket, listener))
         try:
-            await _listen(socket, sender)
+            await self._listen(socket, listener, sender)
         finally:
             self._hub.leave(listener)
             sender.cancel()
             with contextlib.suppress(asyncio.CancelledError, Exception):
                 await sender
 
-    def _catch_up(self, listener: Listener, after: object) -> None:
-        """Queue what was missed; nothing can come between, because nothing is awaited."""
+    def _catch_up(self, listener: Listener, hello: dict[str, object]) -> None:
+        """Queue what was missed, in a page's language; nothing is awaited, so nothing is lost."""
+        after, language = hello.get("after"), hello.get("lang")
+        if isinstance(language, str):
+            listener.language = language
         if isinstance(after, dict):
             run, number = str(after.get("run", "")), after.get("n", 0)
             is_number = isinstance(number, int) and not isinstance(number, bool)
-            for event in self._twin.events_after(run, number if is_number else 0):
+            for event in self._twin.events_after(
+                run, number if is_number else 0, listener.language
+            ):
                 listener.texts.append(text_of(event))
         run, number = self._twin.last_event()
         listener.texts.append(text_of({"type": "caught-up", "run": run, "n": number}))
-        listener.texts.append(text_of(self._twin.state()))
+        listener.texts.append(text_of(self._twin.state(listener.language)))
         listener.bell.set()
+
+    async def _listen(
+        self, socket: WebSocket, listener: Listener, sender: asyncio.Task[None]
+    ) -> None:
+        """Wait until the page leaves; it may ask for another language, and for nothing else."""
+        heard = 0
+        while True:
+            receiving = asyncio.ensure_future(socket.receive())
+            done, _ = await asyncio.wait({receiving, sender}, return_when=asyncio.FIRST_COMPLETED)
+            if sender in done:
+                receiving.cancel()
+                return
+            message = receiving.result()
+            if message["type"] == "websocket.disconnect":
+                return
+            heard += 1
+            if heard > _MOST_MESSAGES:
+                await _close(socket, _TALKS, "decisions go by POST")
+                return
+            wish = _read(message.get("text"))
+            if wish is not None:
+                self._catch_up(listener, wish)
 
 
 async def _first_message(socket: WebSocket) -> dict[str, object] | None:
     try:
         text = await asyncio.wait_for(socket.receive_text(), _TICKET_WAIT_S)
-        found = json.loads(text)
-    except (TimeoutError, ValueError, KeyError, WebSocketDisconnect):
+    except (TimeoutError, KeyError, WebSocketDisconnect):
+        return None
+    return _read(text)
+
+
+def _read(text: object) -> dict[str, object] | None:
+    """Return what a page says, if it is an object."""
+    try:
+        found = json.loads(text) if isinstance(text, str) else None
+    except ValueError:
         return None
     return found if isinstance(found, dict) else None
 
@@ -77,23 +112,6 @@ async def _send(socket: WebSocket, listener: Listener) -> None:
         else:
             await socket.send_bytes(news)
     await _close(socket, _TOO_SLOW, "too far behind; come back and ask for what you missed")
-
-
-async def _listen(socket: WebSocket, sender: asyncio.Task[None]) -> None:
-    """Wait until the page leaves; it has nothing more to say here."""
-    heard = 0
-    while True:
-        receiving = asyncio.ensure_future(socket.receive())
-        done, _ = await asyncio.wait({receiving, sender}, return_when=asyncio.FIRST_COMPLETED)
-        if sender in done:
-            receiving.cancel()
-            return
-        if receiving.result()["type"] == "websocket.disconnect":
-            return
-        heard += 1
-        if heard > _MOST_MESSAGES:
-            await _close(socket, _TALKS, "decisions go by POST")
-            return
 
 
 async def _close(socket: WebSocket, code: int, reason: str) -> None:

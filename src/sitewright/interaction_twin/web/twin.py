@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
 from sitewright.foundation.canonical import Json
@@ -11,6 +11,9 @@ from sitewright.interaction_twin.roles import Person
 
 Document = Mapping[str, Json]
 
+News = Callable[[str], Document]
+"""Returns what is told, in a language."""
+
 
 class Twin(Protocol):
     """The read side of a project, and the way to the process of its run.
@@ -18,7 +21,7 @@ class Twin(Protocol):
     Reads that may take longer are coroutines; none of them blocks the event loop.
     """
 
-    def state(self) -> Document:
+    def state(self, language: str = "en") -> Document:
         """Return how the run stands now (the WebSocket's ``state``)."""
         ...
 
@@ -46,11 +49,11 @@ class Twin(Protocol):
         """Return what else could be done instead of the next step."""
         ...
 
-    def by_hand(self, target: str) -> Document | None:
+    def by_hand(self, target: str, language: str) -> Document | None:
         """Return what a person can vouch for at a target."""
         ...
 
-    def events_after(self, run: str, number: int) -> Sequence[Document]:
+    def events_after(self, run: str, number: int, language: str) -> Sequence[Document]:
         """Return the events after one, in order, as the WebSocket sends them."""
         ...
 
@@ -110,7 +113,7 @@ class Twin(Protocol):
 class Audience(Protocol):
     """Where news goes: to all pages."""
 
-    def tell(self, news: Document) -> None:
+    def tell(self, news: News) -> None:
         """Send a text that nobody may miss."""
         ...
 

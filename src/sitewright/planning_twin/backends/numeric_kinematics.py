@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.backends.kinematic_chain import Array, KinematicChain
 from sitewright.planning_twin.backends.solver import OUTSIDE_LIMITS, nearest
 from sitewright.planning_twin.backends.whole_turns import distinct, wrapped
@@ -42,7 +43,7 @@ class NumericSolver:
         """Return the postures that the starts lead to, the one from `near` among them."""
         chain = self.chain
         if not np.isfinite(base_T_tip).all():
-            return NoIk(is_proven=False, reason="the tip pose is not a number")
+            return NoIk(is_proven=False, reason=Sentence("the tip pose is not a number"))
         found = distinct(
             self._iterated(self._starts(near), base_T_tip, _ITERATIONS), chain.is_prismatic
         )
@@ -50,7 +51,7 @@ class NumericSolver:
             return NoIk(
                 is_proven=False,
                 tried=_STARTS,
-                reason=f"none of {_STARTS} starts led to the tip pose",
+                reason=Sentence("none of {starts} starts led to the tip pose", starts=_STARTS),
             )
         allowed = wrapped(found, chain.lower, chain.upper, chain.is_prismatic)
         if len(allowed):

@@ -8,6 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.backends.extensions import extension
 from sitewright.planning_twin.backends.kinematic_chain import Array, KinematicChain
 from sitewright.planning_twin.backends.opw_geometry import OpwGeometry
@@ -132,7 +133,7 @@ class OpwSolver:
             return NoIk(
                 is_proven=found.extension_m < 0.0,
                 extension_m=max(0.0, -found.extension_m),
-                reason="the tip pose is out of reach",
+                reason=Sentence("the tip pose is out of reach"),
             )
         allowed = wrapped(found.postures, self.chain.lower, self.chain.upper)
         if len(allowed):

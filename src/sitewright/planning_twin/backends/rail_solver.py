@@ -6,6 +6,7 @@ import itertools
 
 import numpy as np
 
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.backends.kinematic_chain import BASE, Array, KinematicChain
 from sitewright.planning_twin.backends.opw_solver import OpwSolver
 from sitewright.planning_twin.backends.solver import OUTSIDE_LIMITS, nearest
@@ -85,12 +86,14 @@ class RailSolver:
             return found
         beyond_m = self.beyond_m(base_T_tip)
         if beyond_m > 0.0:
-            reason = "the tip pose is out of reach from everywhere on the rails"
+            reason = Sentence("the tip pose is out of reach from everywhere on the rails")
             return NoIk(is_proven=True, extension_m=beyond_m, reason=reason)
         is_near = bool((extension_m >= 0.0).any())
-        reason = OUTSIDE_LIMITS if is_near else "the tip pose is out of reach"
+        reason = OUTSIDE_LIMITS if is_near else Sentence("the tip pose is out of reach")
         return NoIk(
-            is_proven=False, tried=tried, reason=f"{reason} at {tried} positions of the rails"
+            is_proven=False,
+            tried=tried,
+            reason=Sentence("{what} at {tried} positions of the rails", what=reason, tried=tried),
         )
 
     def next(self, base_T_tip: Array, near: Array) -> Array | NoIk:
@@ -98,7 +101,7 @@ class RailSolver:
         found, _ = self._at(near[None, : self._rails], base_T_tip)
         if len(found):
             return np.asarray(nearest(found, near)[0])
-        return NoIk(is_proven=False, tried=1, reason="no posture with the rails at rest")
+        return NoIk(is_proven=False, tried=1, reason=Sentence("no posture with the rails at rest"))
 
     def _at(self, positions: Array, base_T_tip: Array) -> tuple[Array, Array]:
         """Return all postures inside the limits, and how far each position is within reach."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sitewright.foundation.ids import RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.backends.collision_check import CoalCollisionCheck
 from sitewright.planning_twin.backends.proof_scene import ProofScenes
 from sitewright.planning_twin.backends.search_scene import SearchScene
@@ -55,7 +56,7 @@ class EndsCheck:
         """Return the start and the goals that keep the clearance."""
         start = tuple(q for r in request.robots for q in scene.robots[r].q_rad)
         if pairs := self._violations(scene, request, start, request.threshold_m):
-            return _blocked(scene, request, start, pairs, "the start is blocked")
+            return _blocked(scene, request, start, pairs, Sentence("the start is blocked"))
         blocked: list[tuple[Joints, tuple[Pair, ...]]] = []
         goals: list[Joints] = []
         for goal in request.goals_rad:
@@ -65,7 +66,7 @@ class EndsCheck:
                 goals.append(goal)
         if not goals:
             goal, pairs = min(blocked, key=lambda b: len(b[1]))
-            return _blocked(scene, request, goal, pairs, "the goal is blocked")
+            return _blocked(scene, request, goal, pairs, Sentence("the goal is blocked"))
         return SearchEnds(start=start, goals=tuple(goals))
 
     def question(

@@ -6,11 +6,12 @@ from typing import Protocol
 
 import numpy as np
 
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.backends.kinematic_chain import Array, KinematicChain
 from sitewright.planning_twin.refusal import NoIk
 from sitewright.robot_team.description import Joints
 
-OUTSIDE_LIMITS = "every posture for the tip pose is outside the joint limits"
+OUTSIDE_LIMITS = Sentence("every posture for the tip pose is outside the joint limits")
 
 
 class Solver(Protocol):

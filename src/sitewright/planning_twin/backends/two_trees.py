@@ -8,6 +8,7 @@ import numpy as np
 from typing_extensions import override
 
 from sitewright.foundation.ids import RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.backends.certifier import ConservativeAdvancement
 from sitewright.planning_twin.backends.kinematic_chain import Array
 from sitewright.planning_twin.backends.pad_exit import way_out_of_pads
@@ -125,7 +126,9 @@ def _path(
         seed=seed,
     )
     if found is None:
-        return NoPath(nodes=request.max_nodes, seeds=(seed,), reason="no path within the nodes")
+        return NoPath(
+            nodes=request.max_nodes, seeds=(seed,), reason=Sentence("no path within the nodes")
+        )
     goal = _joints(found[-1])
     if request.is_shortcut:
         found = quicker(question.space, found, seed)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from sitewright.building_model.component import FastenerSpec
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.foundation.shapes import Hull, Shape
 from sitewright.planning_twin.approach import CONTACT_M, NEIGHBOUR_M
 from sitewright.planning_twin.jobsite import Jobsite, bodies_of_tool, finger_body, scene_of
@@ -39,7 +40,8 @@ def plan_grasp(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     piece = ComponentId(call.arguments[0])
     holding = stage.holding(call.robot, piece)
     if holding is None:
-        return _refused(call, NoGrasp(is_proven=False, candidates=0, reason=f"no grasp of {piece}"))
+        reason = Sentence("no grasp of {piece}", piece=piece)
+        return _refused(call, NoGrasp(is_proven=False, candidates=0, reason=reason))
     blocked = _finger_sweep(stage, call.robot, piece, holding.grasp.width_m)
     if blocked is not None:
         return _refused(call, blocked)
@@ -90,7 +92,9 @@ def plan_set_down(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     """Lay the held piece on a buffer and open the gripper."""
     piece, place = ComponentId(call.arguments[0]), call.arguments[1]
     if place not in stage.context.task.buffers:
-        return _refused(call, NoIk(is_proven=False, reason=f"{place} is no buffer"))
+        return _refused(
+            call, NoIk(is_proven=False, reason=Sentence("{place} is no buffer", place=place))
+        )
     task = lying_on_fixtures(stage.context, piece)
     stage = replace(stage, context=replace(stage.context, task=task))
     opening = _opening(stage, call.robot, piece)
@@ -116,7 +120,7 @@ def plan_fasten(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefusal:
     piece = placed_piece(stage)
     receiver = None if spot is None else spot.receiver(piece)
     if spot is None or spot.fastener is None or receiver is None:
-        reason = f"{call.arguments[0]} has no fastener or no receiver"
+        reason = Sentence("{spot} has no fastener or no receiver", spot=call.arguments[0])
         return _refused(call, NoIk(is_proven=True, reason=reason))
     params: dict[str, Json] = {
         "operation": spot.operation,
@@ -209,7 +213,7 @@ def _finger_sweep(
     if not pairs:
         return None
     moment = moment_of(scene, {robot: stage.q_rad(robot)}, pairs[0])
-    return BlockedBy(pairs=pairs, reason="the fingers have no room", moment=moment)
+    return BlockedBy(pairs=pairs, reason=Sentence("the fingers have no room"), moment=moment)
 
 
 def _swept(*ends: Shape) -> Shape:

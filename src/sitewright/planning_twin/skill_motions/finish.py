@@ -9,6 +9,7 @@ from itertools import pairwise
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, RobotId
 from sitewright.foundation.pose import Pose, Vector, distance, rotation, scale, translation
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.approach import NEIGHBOUR_M, Approach, Reaching, Touch
 from sitewright.planning_twin.fastening import Spot
 from sitewright.planning_twin.jobsite import bodies_of_tool, scene_of
@@ -78,7 +79,7 @@ def plan_apply_finish(stage: Stage, call: SkillCall) -> PlannedSkill | SkillRefu
     spot = stage.context.task.spot(call.arguments[0])
     piece = stage.context.task.placed
     if spot is None or spot.patch is None or piece is None:
-        reason = f"{call.arguments[0]} has no patch or no piece"
+        reason = Sentence("{spot} has no patch or no piece", spot=call.arguments[0])
         return SkillRefusal(call=call, refusal=NoIk(is_proven=True, reason=reason))
     tip = stage.tip(call.robot)
     lines = _lines(stage.reaching(call.robot), spot, tip, stage.q_rad(call.robot))

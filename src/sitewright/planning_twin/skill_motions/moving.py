@@ -8,6 +8,7 @@ from itertools import islice
 
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.approach import Approach, Approaches, Reaching, Touch
 from sitewright.planning_twin.free_motion import plan_free_motion
 from sitewright.planning_twin.jobsite import scene_of
@@ -122,7 +123,7 @@ def move_to_first(
     out: tuple[PathSegment, ...] | None = None,
 ) -> PlannedMotion | Refusal:
     """Plan to the first of some postures that can be reached; else return why not to the last."""
-    refusal: Refusal = NoIk(is_proven=False, reason="there is no posture to go to")
+    refusal: Refusal = NoIk(is_proven=False, reason=Sentence("there is no posture to go to"))
     for goal_rad in goals_rad:
         motion = move_to(stage, robot, goal_rad, out=out)
         if isinstance(motion, PlannedMotion):
@@ -250,7 +251,7 @@ def most_telling(refusals: list[Refusal]) -> Refusal:
         return searched[-1]
     unreachable = [r for r in refusals if isinstance(r, NoIk)]
     if not unreachable:
-        return NoIk(is_proven=False, tried=0, reason="there was no pose to try")
+        return NoIk(is_proven=False, tried=0, reason=Sentence("there was no pose to try"))
     return NoIk(
         is_proven=all(r.is_proven for r in unreachable),
         extension_m=min(r.extension_m for r in unreachable),

@@ -7,6 +7,7 @@ from functools import partial
 
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import BodyId, ComponentId, EndEffectorId, RobotId, StationId
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.approach import Approach, Reaching, Touch
 from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.jobsite import world_T_dock
@@ -139,7 +140,9 @@ def _touches(stage: Stage, robot: RobotId, place: str) -> Iterator[Touch] | list
     piece = arm.held or _piece_to_grasp(stage, robot, place)
     holding = None if piece is None else stage.holding(robot, piece)
     if piece is None or holding is None:
-        return NoGrasp(is_proven=False, candidates=0, reason=f"nothing to do at {place}")
+        return NoGrasp(
+            is_proven=False, candidates=0, reason=Sentence("nothing to do at {place}", place=place)
+        )
     tool = stage.tool(robot)
     if arm.held is None:
         at = stage.site.world_T_piece[piece]
@@ -164,7 +167,9 @@ def _set_down_touches(
     world_T_surface = task.buffers.get(place)
     holding = stage.holding(robot, piece)
     if world_T_surface is None or holding is None:
-        return NoIk(is_proven=False, reason=f"nothing can be set down at {place}")
+        return NoIk(
+            is_proven=False, reason=Sentence("nothing can be set down at {place}", place=place)
+        )
     pose = pose_on(world_T_surface, stage.site.pieces[piece], stage.site.world_T_piece[piece])
     tool = stage.tool(robot)
     fixtures = tuple(BodyId(f) for f in stage.context.cell.fixture_by_id)
@@ -193,7 +198,7 @@ def _above_dock(stage: Stage, robot: RobotId) -> PlannedMotion | Refusal:
     """Move over the dock that the coming change begins at."""
     change = _coming_change(stage, robot)
     if change is None:
-        return NoIk(is_proven=False, reason="no tool change follows at this station")
+        return NoIk(is_proven=False, reason=Sentence("no tool change follows at this station"))
     known = stage.context.cell.end_effector_by_id
     first = next(known[EndEffectorId(i)] for i in change.arguments[:2] if i in known)
     return move_to_any(stage, robot, above_dock(world_T_dock(stage.context.cell, first)))

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import EndEffectorId, RobotId
 from sitewright.foundation.pose import Pose
+from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.approach import (
     PRE_M,
     Approach,
@@ -154,7 +155,7 @@ def _first_line(stage: Stage, robot: RobotId, touch: Touch, postures: tuple) -> 
     reaching = stage.reaching(robot)
     lines = (straight_approach(reaching, touch, q) for q in postures)
     found = next((a for a in lines if isinstance(a, Approach)), None)
-    return found or NoIk(is_proven=False, reason="no straight way into the dock")
+    return found or NoIk(is_proven=False, reason=Sentence("no straight way into the dock"))
 
 
 def _to_start_and(stage: Stage, robot: RobotId, down: Approach) -> PlannedMotion | Refusal:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from heapq import heappop, heappush
 from itertools import count
 
+from sitewright.foundation.sentence import Sentence
 from sitewright.symbolic_planning.domain import Fact
 from sitewright.symbolic_planning.grounding import GroundAction
 from sitewright.symbolic_planning.planner import NoPlan, SkillSequence, foregone, sequence
@@ -45,7 +46,7 @@ class BuiltinPlanner:
         if isinstance(found, str):
             return NoPlan(
                 is_proven=not found,
-                reason=found or "No order of skills reaches the goal.",
+                reason=found or Sentence("No order of skills reaches the goal."),
                 planner=self.name,
                 wall_s=wall_s,
             )

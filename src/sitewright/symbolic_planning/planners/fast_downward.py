@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import IO
 
 from sitewright.errors import BackendError, BackendMissingError
+from sitewright.foundation.sentence import Sentence
 from sitewright.symbolic_planning.planner import NoPlan, SkillSequence, foregone, sequence
 from sitewright.symbolic_planning.problem import Problem
 from sitewright.symbolic_planning.sas import sas_text
@@ -36,13 +37,16 @@ OPTIMAL = "astar(lmcut())"
 
 _SOLVED = frozenset({0, 1, 2, 3})
 _PROVEN_UNSOLVABLE = frozenset({10, 11})
-_GAVE_UP = {12: "the search ended without a plan", 13: "the search ended without a plan"}
+_GAVE_UP = {
+    12: Sentence("the search ended without a plan"),
+    13: Sentence("the search ended without a plan"),
+}
 _LIMIT = {
-    20: "the translator ran out of memory",
-    21: "the translator ran out of time",
-    22: "the search ran out of memory",
-    23: "the search ran out of time",
-    24: "the search ran out of memory and time",
+    20: Sentence("the translator ran out of memory"),
+    21: Sentence("the translator ran out of time"),
+    22: Sentence("the search ran out of memory"),
+    23: Sentence("the search ran out of time"),
+    24: Sentence("the search ran out of memory and time"),
 }
 _PLAN = "plan"
 _TASK = "task.sas"
@@ -112,7 +116,9 @@ class FastDownward:
             problem.actions, init=problem.init, goal=problem.goal, goal_not=problem.goal_not
         )
         started_s = time.perf_counter()
-        result: SkillSequence | NoPlan = NoPlan(is_proven=False, reason="No search was run.")
+        result: SkillSequence | NoPlan = NoPlan(
+            is_proven=False, reason=Sentence("No search was run.")
+        )
         for number, search in enumerate(self._searches):
             left_s = timeout_s - (time.perf_counter() - started_s)
             if number > 0 and left_s <= 0.0:
@@ -164,7 +170,10 @@ def _answer(
 ) -> SkillSequence | NoPlan:
     if run.code is None:
         return NoPlan(
-            is_proven=False, reason="The time limit was reached.", planner=planner, wall_s=wall_s
+            is_proven=False,
+            reason=Sentence("The time limit was reached."),
+            planner=planner,
+            wall_s=wall_s,
         )
     if run.code in _SOLVED:
         if run.plan is None:
@@ -173,13 +182,16 @@ def _answer(
             problem, run.plan, planner=planner, wall_s=wall_s, is_reproducible=is_reproducible
         )
     if run.code in _PROVEN_UNSOLVABLE:
-        reason = "No order of skills reaches the goal."
+        reason = Sentence("No order of skills reaches the goal.")
         return NoPlan(is_proven=True, reason=reason, planner=planner, wall_s=wall_s)
     limit = (_GAVE_UP | _LIMIT).get(run.code)
     if limit is None:
         raise BackendError(_broke(planner, run.code, run.output))
     return NoPlan(
-        is_proven=False, reason=f"No plan was found: {limit}.", planner=planner, wall_s=wall_s
+        is_proven=False,
+        reason=Sentence("No plan was found: {why}.", why=limit),
+        planner=planner,
+        wall_s=wall_s,
     )
 
 

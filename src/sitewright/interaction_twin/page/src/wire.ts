@@ -224,7 +224,10 @@ export interface Trouble {
   target: string;
   name: string;
   reason: string;
+  verdict: string;
+  verdict_kind: string;
   pair: string[] | null;
+  pair_names: string[];
   blockers: string[];
   counter_proposals: Tried[];
   options: Option[];

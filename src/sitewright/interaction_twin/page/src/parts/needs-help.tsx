@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { decide } from "../state/decisions";
 import { ask } from "../state/server";
-import { blockers, isReachable, labelOf, may, mode, proposal, run, shownTrouble } from "../state/store";
+import { blockers, isReachable, may, mode, proposal, run, shownTrouble } from "../state/store";
 import type { Option, Question, Tried, Trouble } from "../wire";
 import { inNumbers, say, sayWord } from "../words/words";
 import { Dialog } from "./dialog";
@@ -48,14 +48,19 @@ function Ask({ question }: { question: Question }) {
 
 function Stuck({ trouble }: { trouble: Trouble }) {
   const [isManual, setManual] = useState(false);
-  const [first, second] = trouble.pair ?? [];
+  const [first, second] = trouble.pair_names;
   return (
     <div class="trouble">
       <h2>
         {say("help.title")}: {trouble.name}
       </h2>
       <p>{trouble.reason}</p>
-      {first !== undefined && second !== undefined && <p class="pair">{say("help.pair", { first: labelOf(first), second: labelOf(second) })}</p>}
+      {trouble.verdict !== "" && (
+        <p class="verdict">
+          <b>{trouble.verdict}</b> {sayWord("verdict", trouble.verdict_kind)}
+        </p>
+      )}
+      {first !== undefined && second !== undefined && <p class="pair">{say("help.pair", { first, second })}</p>}
       {trouble.counter_proposals.length > 0 && <WhatWorks tried={trouble.counter_proposals} />}
       <div class="buttons">
         {(trouble.pair ?? trouble.blockers).length > 0 && (

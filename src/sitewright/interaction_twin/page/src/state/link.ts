@@ -3,6 +3,7 @@ import { Matrix4 } from "three";
 import { age_s, events, joints, link, piecePoses, run } from "./store";
 import { ask } from "./server";
 import type { RunEvent, RunState } from "../wire";
+import { language } from "../words/words";
 
 const STALE_MS = 500;
 const QUIET_MS = 450;
@@ -30,6 +31,7 @@ export class ServerLink {
 
   start(): void {
     void this.connect();
+    language.subscribe(() => this.askAgain());
     setInterval(() => this.watch(), 100);
   }
 
@@ -46,10 +48,18 @@ export class ServerLink {
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/ws`);
     socket.binaryType = "arraybuffer";
-    socket.onopen = () => socket.send(JSON.stringify({ ticket, after: this.last }));
+    socket.onopen = () => socket.send(JSON.stringify({ ticket, after: this.last, lang: language.value }));
     socket.onmessage = (message: MessageEvent<string | ArrayBuffer>) => this.hear(message.data);
     socket.onclose = () => this.lose();
     this.socket = socket;
+  }
+
+  /** Asks for state and events anew, in the language that was just chosen. */
+  private askAgain(): void {
+    if (this.socket?.readyState !== WebSocket.OPEN) return;
+    const first = events.value[0];
+    events.value = [];
+    this.socket.send(JSON.stringify({ lang: language.value, after: first === undefined ? this.last : { run: first.run, n: first.n - 1 } }));
   }
 
   private lose(): void {
