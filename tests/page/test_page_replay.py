@@ -24,8 +24,8 @@ FROM_TEST = """([time_s]) => { const slider = document.querySelector('.transport
 
 
 @pytest.fixture(scope="module")
-def seen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Seen]:
-    """Return a page that looks at a run with two built components, the third one's plan waiting."""
+def opened(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Seen]:
+    """Return a page of a run with two built components, the third one's plan waiting."""
     folder = tmp_path_factory.mktemp("again") / "frame"
     with browser() as chromium, ServedProject(folder) as served:
         seen = look(chromium, served)
@@ -38,15 +38,22 @@ def seen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Seen]:
             before = plan["fingerprint"]
             assert seen.post("/api/decisions", approval(plan))[0] == 200
         seen.waiting(other_than=before)
-        seen.page.click("nav button >> nth=2")
-        seen.page.click(".run-list li button >> nth=0")
-        seen.page.wait_for_selector(".transport .play", timeout=WAIT_MS)
         yield seen
 
 
+@pytest.fixture
+def seen(opened: Seen) -> Seen:
+    """Return the page with the run opened to be looked at again, at its start."""
+    opened.page.click("nav button >> nth=0")
+    opened.page.click("nav button >> nth=2")
+    opened.page.click(".run-list li button >> nth=0")
+    opened.page.wait_for_selector(".transport .play", timeout=WAIT_MS)
+    return opened
+
+
 @pytest.fixture(scope="module")
-def journal(seen: Seen) -> list[tuple[int, Any]]:
-    folder = RunFolder(Path(seen.served.folder) / "runs" / seen.json("/api/state")["run"])
+def journal(opened: Seen) -> list[tuple[int, Any]]:
+    folder = RunFolder(Path(opened.served.folder) / "runs" / opened.json("/api/state")["run"])
     return [(r.seq, event_of(folder, r)) for r in read_records(folder.journal)]
 
 
