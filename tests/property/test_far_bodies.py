@@ -10,7 +10,7 @@ import pytest
 from typing_extensions import override
 
 from motion_scenes import STUD, A, B, box, gripper, held_stud, kr120, nailer
-from sitewright.foundation.ids import RobotId
+from sitewright.foundation.ids import BodyId, RobotId
 from sitewright.foundation.pose import Pose, rotation, translation
 from sitewright.foundation.shapes import Box
 from sitewright.planning_twin.backends.certifier import ConservativeAdvancement
@@ -28,7 +28,7 @@ from sitewright.planning_twin.motion import (
     MotionRequest,
     PathSegment,
 )
-from sitewright.planning_twin.scene import RobotInScene, SceneSnapshot
+from sitewright.planning_twin.scene import Body, RobotInScene, SceneSnapshot
 from sitewright.robot_team.description import Description, Joints
 from sitewright.robot_team.rails import Rail, on_rails
 
@@ -83,7 +83,12 @@ def wall(arm: Description, random: np.random.Generator) -> SceneSnapshot:
     ]
     floor = box("floor", (60.0, 12.0, 0.1), translation(0.0, 0.0, -2.0))
     long = box("beam", (9.0, *STUD[1:]), translation(12.0, 1.5, 4.5))
-    still = [floor, long, *boxes]
+    aside = Body(
+        id=BodyId("aside"),
+        shape=(Box((0.3, 0.3, 0.3), translation(-6.0, 0.0, 0.0)),),
+        placement=translation(float(random.uniform(-10.0, 10.0)), 0.0, 1.5),
+    )
+    still = [floor, long, aside, *boxes]
     arms = {
         A: RobotInScene(
             description=arm,

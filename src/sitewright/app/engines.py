@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 
@@ -13,7 +12,7 @@ from sitewright.app.project import BUILDING, Project
 from sitewright.central_controller.design import Design
 from sitewright.central_controller.measuring import MeasuredCertifier
 from sitewright.central_controller.proposing import Proposals
-from sitewright.central_controller.site_graph import graph_now
+from sitewright.central_controller.site_graph import SiteGraphs
 from sitewright.central_controller.situation import piece_shapes
 from sitewright.central_controller.target_planning import PlanningPorts
 from sitewright.foundation.canonical import sha256_hex
@@ -44,7 +43,7 @@ def proposals_of(project: Project, *, seed: int = 0) -> Proposals:
         design=Design(model=project.model, cell=project.cell),
         shapes=piece_shapes(project.model),
         ports=ports,
-        graph_of=partial(graph_now, project.model, project.cell),
+        graph_of=SiteGraphs(project.model, project.cell),
         identity=identity_of(project, ports.domain.text),
         seed=seed,
         unsupported=project.unsupported,

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import replace
-from functools import partial
 
 from sitewright.building_model.component import Layer
 from sitewright.building_model.model import BuildingModel
 from sitewright.building_model.shapes import shape_of
 from sitewright.central_controller.design import Design
 from sitewright.central_controller.ports import SiteContext
-from sitewright.central_controller.site_graph import graph_now
+from sitewright.central_controller.site_graph import SiteGraphs
 from sitewright.central_controller.surveying import Surveyor
 from sitewright.construction_graph.graph import MaterialNode
 from sitewright.foundation.ids import ComponentId
@@ -63,7 +62,7 @@ def moved_on_a_copy(
 
 
 def _with_design(surveyor: Surveyor, design: Design) -> Surveyor:
-    return replace(surveyor, design=design, graph_of=partial(graph_now, design.model, design.cell))
+    return replace(surveyor, design=design, graph_of=SiteGraphs(design.model, design.cell))
 
 
 def _holds_something(context: SiteContext, thing: str) -> bool:

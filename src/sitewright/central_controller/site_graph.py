@@ -22,14 +22,44 @@ _STILL_STACKED_M = 0.300
 _ON_BUFFER_M = 0.300
 
 
-def graph_now(model: BuildingModel, cell: Cell, context: SiteContext) -> ConstructionGraph:
+class SiteGraphs:
+    """The graphs of a design's sites; the last one is kept, since it is asked for repeatedly."""
+
+    def __init__(self, model: BuildingModel, cell: Cell) -> None:
+        self._model, self._cell = model, cell
+        self._designed: ConstructionGraph | None = None
+        self._last: tuple[SiteContext, ConstructionGraph] | None = None
+
+    def __call__(self, context: SiteContext) -> ConstructionGraph:
+        """Return the graph of a site as folded and as sensed."""
+        if self._last is not None and self._last[0] is context:
+            return self._last[1]
+        if self._designed is None:
+            self._designed = graph_of(self._model, self._cell)
+        found = graph_now(self._model, self._cell, context, self._designed)
+        self._last = (context, found)
+        return found
+
+
+def graph_now(
+    model: BuildingModel,
+    cell: Cell,
+    context: SiteContext,
+    designed: ConstructionGraph | None = None,
+) -> ConstructionGraph:
     """Return the graph: what is installed, which stock is left, and where it was seen.
 
     A piece that was seen away from its stack lies on a buffer, or at no place at all: then it
     is in a gripper, or has fallen, and is not offered. Nor is one that is not seen any more.
+
+    Args:
+        model: A checked building model.
+        cell: Gives the model's place in the world and the stock places.
+        context: The site.
+        designed: The graph of the untouched site, if it is known.
     """
     site = context.site
-    designed = graph_of(model, cell)
+    designed = designed or graph_of(model, cell)
     installed = {
         target: InstalledPiece(
             material=site.placed[target].piece,

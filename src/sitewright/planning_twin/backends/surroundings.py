@@ -10,12 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 import numpy as np
 
 from sitewright.foundation.ids import BodyId, RobotId
-from sitewright.foundation.pose import Pose, norm
+from sitewright.foundation.pose import norm
 from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.backends.identity_cache import IdentityCache
 from sitewright.planning_twin.backends.kinematic_chain import (
@@ -34,6 +33,7 @@ _STRETCH_M = 4.0
 """Rails are looked at in stretches, so that many motions share one part of the scene."""
 _REMEMBERED = 64
 _ARMS_REMEMBERED = 16
+_SHAPES_REMEMBERED = 8192
 _Stretch = tuple[tuple[float, ...], tuple[float, ...]]
 """Lowest and highest position of each rail."""
 
@@ -106,7 +106,8 @@ class SceneParts:
 
     def __init__(self) -> None:
         self._rider_of = IdentityCache(_rider, size=_ARMS_REMEMBERED)
-        self._still_of = IdentityCache(_still, size=_REMEMBERED)
+        self._radius_of = IdentityCache(_radius_m, size=_SHAPES_REMEMBERED)
+        self._still_of = IdentityCache(self._still, size=_REMEMBERED)
         self._known_of = IdentityCache(self._nothing_known, size=4 * _REMEMBERED)
 
     def around(
@@ -158,6 +159,20 @@ class SceneParts:
             still.parts[is_far.tobytes()] = bodies
         return Surroundings(replace(scene, bodies=bodies), int(is_far.sum()), beyond_m)
 
+    def _still(self, bodies: Mapping[BodyId, Body]) -> _Still:
+        ids, centres, radii = [], [], []
+        for body in bodies.values():
+            if not isinstance(body.placement, Attachment) and body.shape:
+                ids.append(body.id)
+                centres.append(body.placement.position_m)
+                radii.append(self._radius_of(body.shape))
+        return _Still(
+            ids=tuple(ids),
+            centre_m=np.array(centres, dtype=np.float64).reshape(-1, 3),
+            radius_m=np.array(radii),
+            parts={},
+        )
+
 
 def whole(scene: SceneSnapshot) -> Surroundings:
     """Return a scene of which nothing is left out."""
@@ -182,17 +197,6 @@ def _anchors(rider: _Rider, world_T_base: Array, stretch: _Stretch) -> tuple[Arr
     return at_zero + low, at_zero + high
 
 
-def _still(bodies: Mapping[BodyId, Body]) -> _Still:
-    still = [b for b in bodies.values() if isinstance(b.placement, Pose) and b.shape]
-    centres = [b.placement.position_m for b in still if isinstance(b.placement, Pose)]
-    return _Still(
-        ids=tuple(b.id for b in still),
-        centre_m=np.array(centres, dtype=np.float64).reshape(-1, 3),
-        radius_m=np.array([_radius_m(b.shape) for b in still]),
-        parts={},
-    )
-
-
 def _carried_m(scene: SceneSnapshot, robot: RobotId) -> float:
     """Return how far any point of what a robot carries is from its tip at most."""
     reaches = (
@@ -203,7 +207,6 @@ def _carried_m(scene: SceneSnapshot, robot: RobotId) -> float:
     return max(reaches, default=0.0)
 
 
-@lru_cache(maxsize=4096)
 def _radius_m(shape: Shape) -> float:
     """Return the radius of the ball about a body's origin that holds it."""
     return max(norm(v) for part in shape for v in part.vertices_m())
