@@ -102,6 +102,10 @@ def _open_the_report_from_the_disk(seen: Seen, file: Path) -> None:
     page.on("request", lambda r: asked.append(r.url))
     page.goto(file.as_uri())
     expect(page.locator("svg").first).to_be_visible()
+    for width in (390, 820, 1280):
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate("() => document.documentElement.scrollWidth") <= width
+    assert page.pdf(prefer_css_page_size=True).startswith(b"%PDF")
     assert asked == [file.as_uri()]
 
 

@@ -29,8 +29,9 @@ from sitewright.central_controller.events import AnyEvent, ProposalSuperseded, R
 from sitewright.central_controller.site_state import SiteState
 from sitewright.construction_graph.graph import JOBSITE, ConstructionGraph, Node
 from sitewright.foundation.canonical import Json
-from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.pose import Pose
+from sitewright.interaction_twin.drawing.bars import Bar
 from sitewright.interaction_twin.drawing.gantt import gantt
 from sitewright.interaction_twin.drawing.graph_picture import GraphStyle, graph_picture
 from sitewright.interaction_twin.labels import Labels
@@ -38,7 +39,9 @@ from sitewright.interaction_twin.report.content import RunSummary, Stamped
 from sitewright.interaction_twin.report.figures import report_json
 from sitewright.interaction_twin.report.page import report_page
 from sitewright.interaction_twin.report.summary import summarise
+from sitewright.interaction_twin.report.waiting import Cause, robot_times, time_by_cause
 from sitewright.journal.sqlite import read_records
+from sitewright.robot_team.skill import SkillCall
 
 FIGURES = {
     "targets_total",
@@ -178,6 +181,54 @@ def test_bars_of_one_robot_never_overlap_and_begin_at_zero(history: list[Stamped
     assert len(summary.actual) == len(summary.planned) == summary.figures.skills_executed
 
 
+def test_the_time_of_a_run_is_told_by_cause_and_nothing_of_it_is_left_out(
+    history: list[Stamped],
+) -> None:
+    spent_s = time_by_cause(history)
+    whole_s = (history[-1].at_utc_ns - history[0].at_utc_ns) / 1e9
+    assert sum(spent_s.values()) == pytest.approx(whole_s)
+    kinds = ["skill_intent", "skill_outcome", "proposal_made", "approval_given"]
+    by_kind = {k: next(s.event for s in history if s.event.kind == k) for k in kinds}
+    seconds = (0, 4, 5, 8, 100, 300)
+    order = ["skill_intent", "skill_outcome", "proposal_made", "approval_given", "skill_intent"]
+    made = [Stamped(0, history[0].event)]
+    made += [Stamped(s * 10**9, by_kind[k]) for k, s in zip(order, seconds[1:], strict=True)]
+    assert time_by_cause(made) == {
+        Cause.PROOF: 4.0 + 200.0,
+        Cause.WORK: 1.0,
+        Cause.PLANNING: 3.0,
+        Cause.DECISION: 92.0,
+    }
+
+
+def test_every_robot_spends_the_whole_makespan_on_something(history: list[Stamped]) -> None:
+    summary = summary_of(history)
+    times = {t.robot: t for t in summary.robot_times}
+    assert set(times) == {A, B}
+    for t in times.values():
+        whole_s = t.works_s + t.holds_s + t.waits_s + t.still_s
+        assert whole_s == pytest.approx(summary.figures.makespan_s)
+    works_s = sum(b.duration_s for b in summary.actual if b.robot == A)
+    assert times[A].works_s == pytest.approx(works_s)
+
+
+def test_a_robot_that_holds_a_piece_for_another_does_not_merely_wait() -> None:
+    def bar(robot: RobotId, skill: str, starts_s: float, duration_s: float) -> Bar:
+        call = SkillCall(skill, robot, ())
+        facts = {"target": ComponentId("t"), "starts_s": starts_s, "duration_s": duration_s}
+        return Bar(robot=robot, call=call, **facts)  # type: ignore[arg-type]
+
+    bars = [
+        bar(A, "grasp", 0.0, 2.0),
+        bar(B, "fasten", 2.0, 5.0),
+        bar(A, "release", 7.0, 1.0),
+        bar(B, "reach", 9.0, 3.0),
+    ]
+    first, second = robot_times(bars)
+    assert (first.works_s, first.holds_s, first.waits_s, first.still_s) == (3.0, 5.0, 3.0, 1.0)
+    assert (second.works_s, second.holds_s, second.waits_s, second.still_s) == (8.0, 0.0, 3.0, 1.0)
+
+
 def test_the_document_holds_all_figures_and_is_plain_json(history: list[Stamped]) -> None:
     document = report_json(summary_of(history))
     assert set(document) >= FIGURES
@@ -282,6 +333,7 @@ def test_the_page_loads_nothing_and_runs_nothing(page: str) -> None:
 def test_the_page_shows_every_part(page: str) -> None:
     for title in (
         "Schedule",
+        "Where the time went",
         "Construction graph",
         "As built",
         "Plans",

@@ -112,12 +112,31 @@ class Figures:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RobotTime:
+    """The makespan of a run as one robot spent it; the four times add up to it.
+
+    Attributes:
+        holds_s: It had a piece in its gripper while another robot worked.
+        waits_s: Another robot worked, and it had nothing.
+        still_s: No robot worked.
+    """
+
+    robot: RobotId
+    works_s: float
+    holds_s: float
+    waits_s: float
+    still_s: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RunSummary:
     """Everything that the report shows of a run.
 
     Attributes:
         continues: The run before, whose site this one started on; empty if there is none.
         resumed: How often the run was taken up again after a stop.
+        spent_s: Wall-clock time of the run by cause, in words.
+        robot_times: How each robot spent the makespan.
         planned: What the approved proposals foresaw, on the same axis as `actual`.
         ended: How the run stands: ``complete``, ``finished``, ``held`` or ``open``.
     """
@@ -131,6 +150,8 @@ class RunSummary:
     figures: Figures
     continues: str = ""
     resumed: int = 0
+    spent_s: Mapping[str, float] = field(default_factory=dict)
+    robot_times: tuple[RobotTime, ...] = ()
     planned: tuple[Bar, ...] = ()
     actual: tuple[Bar, ...] = ()
     plans: tuple[PlanRow, ...] = ()

@@ -25,6 +25,8 @@ def report_json(summary: RunSummary) -> dict[str, Json]:
         "started_utc_ns": summary.started_utc_ns,
         "ended_utc_ns": summary.ended_utc_ns,
         **figures,
+        "spent_s": dict(summary.spent_s),
+        "robot_times": [asdict(t) for t in summary.robot_times],
         "refusals": [refusal_json(r) for r in summary.refusals],
         "contacts": [
             {"pair": [first, second], "skill": skill} for first, second, skill in summary.contacts

@@ -20,6 +20,7 @@ from sitewright.interaction_twin.report.content import Figures, RunSummary
 from sitewright.interaction_twin.report.style import STYLE
 
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+_LAST_TWO = frozenset({1, 2})
 _ENDED: Mapping[str, str] = {
     "complete": "Complete",
     "finished": "Finished, not complete",
@@ -44,6 +45,7 @@ def report_page(
             _head(summary),
             figure_cards(summary.figures),
             _section("Schedule", _schedule(summary, labels)),
+            _section("Where the time went", _times(summary, labels)),
             _section("Construction graph", _graphs(before, after)),
             _section("As built", _as_built(summary, labels)),
             _section("Plans", _plans(summary, labels)),
@@ -91,7 +93,23 @@ def _utc(time_ns: int) -> str:
 def _schedule(summary: RunSummary, labels: Labels) -> str:
     if not summary.actual and not summary.planned:
         return "<p>No skill was started.</p>"
-    return f'<div class="picture">{gantt(summary.planned, summary.actual, labels)}</div>'
+    return f'<div class="picture schedule">{gantt(summary.planned, summary.actual, labels)}</div>'
+
+
+def _times(summary: RunSummary, labels: Labels) -> str:
+    whole_s = sum(summary.spent_s.values()) or 1.0
+    causes = (
+        (cause, in_seconds(spent_s), f"{spent_s / whole_s:.0%}")
+        for cause, spent_s in sorted(summary.spent_s.items(), key=lambda c: -c[1])
+    )
+    by_cause = _table(("On the clock on the wall", "Time", "Share"), causes, numbers=_LAST_TWO)
+    rows = (
+        (labels.name(t.robot), *map(in_seconds, (t.works_s, t.holds_s, t.waits_s, t.still_s)))
+        for t in summary.robot_times
+    )
+    heads = ("On the cell's clock", "at work", "holds a piece", "waits for another", "all stand")
+    by_robot = _table(heads, rows, numbers=frozenset({1, 2, 3, 4}))
+    return f'<div class="two"><div>{by_cause}</div><div>{by_robot}</div></div>'
 
 
 def _graphs(before: ConstructionGraph, after: ConstructionGraph) -> str:
@@ -113,7 +131,8 @@ def _table(heads: Sequence[str], rows: Iterable[Sequence[str]], *, numbers: froz
         f"<tr>{''.join(f'<td{mark[c]}>{_e(cell)}</td>' for c, cell in enumerate(row))}</tr>"
         for row in lines
     )
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+    table = f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+    return f'<div class="wide">{table}</div>'
 
 
 def _as_built(summary: RunSummary, labels: Labels) -> str:

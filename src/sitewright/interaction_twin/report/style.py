@@ -17,10 +17,17 @@ margin:16px 0}
 table{border-collapse:collapse;width:100%;font-size:14px}
 th,td{text-align:left;padding:4px 10px 4px 0;border-bottom:1px solid #e3e9f0;vertical-align:top}
 td.n,th.n{text-align:right;padding-right:22px}
-.picture{overflow-x:auto}.picture svg{max-width:100%;height:auto}
-.two{display:grid;grid-template-columns:1fr 1fr;gap:20px}
+.wide{overflow-x:auto}.wide td,.wide th{white-space:nowrap}.wide td:last-child{white-space:normal}
+.picture{overflow-x:auto}.picture svg{display:block;max-width:100%;height:auto}
+.schedule svg{min-width:760px}
+.two{display:grid;grid-template-columns:1fr 1fr;gap:20px 40px}.two>*{min-width:0}
 footer{margin-top:40px;color:#5c6b7a;font-size:13px;border-top:1px solid #e3e9f0;padding-top:10px}
 @media (max-width:800px){.two{grid-template-columns:1fr}}
-@media print{main{padding:0}h2,.figure,tr,svg{break-inside:avoid}.two{grid-template-columns:1fr}
+@media print{body{font-size:12px;print-color-adjust:exact;-webkit-print-color-adjust:exact}
+main{max-width:none;padding:0}h1{font-size:22px}h2{font-size:15px;margin:18px 0 6px;
+break-after:avoid}
+table{font-size:11px}.figure b{font-size:16px}.figures{grid-template-columns:repeat(6,1fr);gap:6px}
+.figure,tr,svg,.picture{break-inside:avoid}.wide,.picture{overflow:visible}thead{display:table-header-group}
+.schedule svg{min-width:0}footer{margin-top:14px;font-size:10px}
 @page{size:A4 landscape;margin:12mm}}
 """

@@ -43,6 +43,7 @@ from sitewright.interaction_twin.report.content import (
     Stamped,
 )
 from sitewright.interaction_twin.report.timeline import timeline
+from sitewright.interaction_twin.report.waiting import robot_times, time_by_cause
 
 _FASTENING = frozenset({Process.NAIL, Process.SCREW})
 _FINISHING = frozenset({Process.PAINT})
@@ -87,6 +88,8 @@ def summarise(
         figures=_figures(model, site, events, contacts),
         continues=started.previous_run if started else "",
         resumed=sum(isinstance(e, RunResumed) for e in events),
+        spent_s={cause.value: spent_s for cause, spent_s in time_by_cause(history).items()},
+        robot_times=robot_times(times.actual),
         planned=times.planned,
         actual=times.actual,
         plans=tuple(_plan_row(e) for e in events if isinstance(e, ProposalMade)),
