@@ -44,6 +44,10 @@ COMMANDS = {
     "export",
     "doctor",
     "version",
+    "approve",
+    "reject",
+    "hold",
+    "resume",
 }
 HEAVY = {
     "numpy",

@@ -10,6 +10,7 @@ import click
 
 from sitewright.cli.audit_commands import audit
 from sitewright.cli.check_command import check
+from sitewright.cli.decision_commands import approve, hold, reject, resume
 from sitewright.cli.export_commands import export
 from sitewright.cli.failure import failed
 from sitewright.cli.import_command import import_
@@ -48,6 +49,10 @@ for _command in (
     run,
     serve,
     user,
+    approve,
+    reject,
+    hold,
+    resume,
     resolve,
     report,
     audit,

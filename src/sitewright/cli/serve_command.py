@@ -1,4 +1,4 @@
-"""The command ``serve``: the page of a project on this machine."""
+"""The commands ``serve``, the page of a project, and ``user``, who may sign in there."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from sitewright.cli.options import FILE, cell_option, json_option, project_argum
 from sitewright.cli.output import Output
 
 if TYPE_CHECKING:
+    from sitewright.app.serving.reached import Tls
     from sitewright.app.serving.server import Address, ServeOptions
 
 _SERVE = "sitewright.serve/1"
@@ -35,6 +36,10 @@ _SERVE = "sitewright.serve/1"
     help="Of the simulated cell: 1 is real time, 0 as fast as it can.",
 )
 @click.option("--users", type=FILE, help="Users with tokens of their own (`sitewright user`).")
+@click.option("--host", help="Address of this machine for others; needs --users and --tls-*.")
+@click.option("--tls-cert", type=FILE, help="Certificate with its chain (PEM).")
+@click.option("--tls-key", type=FILE, help="Key of the certificate (PEM, without a password).")
+@click.option("--tablet", is_flag=True, help="With --host: print the link as a QR code too.")
 @click.option("--from-design", is_flag=True, help="Start on an empty site.")
 @cell_option
 @json_option
@@ -44,6 +49,10 @@ def serve(  # noqa: PLR0913, PLR0917 -- one argument per option
     no_browser: bool,  # noqa: FBT001 -- click
     speed: float,
     users: Path | None,
+    host: str | None,
+    tls_cert: Path | None,
+    tls_key: Path | None,
+    tablet: bool,  # noqa: FBT001 -- click
     from_design: bool,  # noqa: FBT001 -- click
     cell: Path | None,
     is_json: bool,  # noqa: FBT001 -- click
@@ -51,18 +60,61 @@ def serve(  # noqa: PLR0913, PLR0917 -- one argument per option
     """Serve the page on which people see, understand, approve and steer the run."""
     from sitewright.app.serving.server import ServeOptions
 
+    tls = _checked_tls(tls_cert, tls_key)
+    _check_host(host, is_guarded=users is not None and tls is not None, tablet=tablet)
     options = ServeOptions(
-        folder=project, cell=cell, port=port, speed=speed, from_design=from_design, users=users
+        folder=project,
+        cell=cell,
+        port=port,
+        speed=speed,
+        from_design=from_design,
+        users=users,
+        host=host,
+        tls=tls,
     )
-    return serve_page(options, Output(is_json), opens_browser=not no_browser)
+    out = Output(is_json)
+    return serve_page(options, out, opens_browser=not no_browser, draws_code=tablet)
 
 
-def serve_page(options: ServeOptions, out: Output, *, opens_browser: bool) -> int:
-    """Serve until interrupted; tell where."""
+def _checked_tls(certificate: Path | None, key: Path | None) -> Tls | None:
+    from sitewright.app.serving.reached import Tls
+
+    if certificate is None and key is None:
+        return None
+    if certificate is None or key is None:
+        raise click.UsageError("--tls-cert and --tls-key belong together; give both.")
+    tls = Tls(certificate, key)
+    if fault := tls.fault():
+        raise click.UsageError(fault)
+    return tls
+
+
+def _check_host(host: str | None, *, is_guarded: bool, tablet: bool) -> None:
+    from sitewright.app.serving.reached import host_fault
+
+    if host is None:
+        if tablet:
+            raise click.UsageError("--tablet needs --host: a tablet cannot reach 127.0.0.1.")
+        return
+    if not is_guarded:
+        raise click.UsageError(
+            "--host lets other machines in, so it needs people with tokens of their own "
+            "(--users FILE, see `sitewright user`) and TLS (--tls-cert FILE --tls-key FILE)."
+        )
+    if fault := host_fault(host):
+        raise click.UsageError(f"--host: {fault}")
+
+
+def serve_page(
+    options: ServeOptions, out: Output, *, opens_browser: bool, draws_code: bool = False
+) -> int:
+    """Serve until interrupted; tell where, to a tablet's camera too if asked."""
     from sitewright.app.serving.server import serve as serve_project
 
     def on_ready(address: Address) -> None:
         out.line(f"The page: {address.url}")
+        if draws_code and not out.is_json:
+            click.echo(_qr_code(address.url))
         out.line("The link signs in one time. Ctrl-C holds the run and ends the server.")
         out.document(_SERVE, {"port": address.port, "url": address.url})
         sys.stdout.flush()
@@ -72,6 +124,17 @@ def serve_page(options: ServeOptions, out: Output, *, opens_browser: bool) -> in
     serve_project(options, on_ready=on_ready)
     out.note("The server has ended and nothing moves; `sitewright serve` goes on.")
     return 0
+
+
+def _qr_code(text: str) -> str:
+    """Return a text as a QR code of block characters, dark on light."""
+    import io
+
+    import segno
+
+    drawn = io.StringIO()
+    segno.make_qr(text, error="m").terminal(drawn, compact=True)
+    return drawn.getvalue()
 
 
 @click.command()

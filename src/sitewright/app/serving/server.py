@@ -19,15 +19,16 @@ from typing_extensions import override
 from sitewright.app.clock import SystemClock
 from sitewright.app.execution import state_home
 from sitewright.app.run_folder import installation_key
+from sitewright.app.serving.door import Door, opened
 from sitewright.app.serving.project_twin import ProjectTwin
+from sitewright.app.serving.reached import Tls, listening, place_of
 from sitewright.app.serving.run_process import RunLink, RunProcess
 from sitewright.app.serving.users import read_users
-from sitewright.errors import BackendError
 from sitewright.interaction_twin.web.hub import Hub
 from sitewright.interaction_twin.web.sessions import Sessions
 from sitewright.interaction_twin.web.site import application
 
-LOOPBACK = "127.0.0.1"
+RUNS = "runs"
 _MOST_FRAME_BYTES = 256_000
 _MOST_CONNECTIONS = 256
 _PAGES_LEAVE_S = 10
@@ -42,6 +43,8 @@ class ServeOptions:
         speed: Of the simulated cell; 1 is real time, 0 as fast as it can.
         from_design: Begin on an empty site.
         users: File with the users who have tokens of their own; None is the one local user.
+        host: Address under which other machines reach it; None is this machine alone.
+        tls: Certificate and key; None serves without TLS.
     """
 
     folder: Path
@@ -50,6 +53,8 @@ class ServeOptions:
     speed: float = 1.0
     from_design: bool = False
     users: Path | None = None
+    host: str | None = None
+    tls: Tls | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,18 +107,30 @@ class PageServer:
             options.folder, self._link, hub, clock, cell=options.cell, has_users=bool(users)
         )
         sessions = Sessions(key=installation_key(state_home()), clock=clock, users=users)
-        with _listening(options.port) as listener:
+        with listening(options.host, options.port) as listener:
             port = int(listener.getsockname()[1])
-            app = application(twin, sessions, hub, port=port)
-            url = f"http://{LOOPBACK}:{port}/#token={sessions.invite()}"
-            self._server = EndingServer(_config(app), lambda: on_ready(Address(port=port, url=url)))
-            await twin.start()
-            feeding = asyncio.create_task(twin.feed.run())
-            try:
-                await self._server.serve(sockets=[listener])
-            finally:
-                feeding.cancel()
-                await twin.stop()
+            place = place_of(options.host, port, is_secure=options.tls is not None)
+            app = application(twin, sessions, hub, place=place)
+            address = Address(port=port, url=f"{place.origin}/#token={sessions.invite()}")
+            config = _config(app, options.tls)
+            self._server = EndingServer(config, lambda: on_ready(address))
+            door = Door(
+                origin=place.origin,
+                token="" if users else sessions.program_token(),
+                certificate="" if options.tls is None else str(options.tls.certificate.resolve()),
+            )
+            with opened(options.folder / RUNS, door):
+                await self._serve(twin, listener)
+
+    async def _serve(self, twin: ProjectTwin, listener: socket.socket) -> None:
+        assert self._server is not None  # noqa: S101 -- made before
+        await twin.start()
+        feeding = asyncio.create_task(twin.feed.run())
+        try:
+            await self._server.serve(sockets=[listener])
+        finally:
+            feeding.cancel()
+            await twin.stop()
 
     def stop(self) -> None:
         """End the server soon; safe from any thread."""
@@ -121,9 +138,11 @@ class PageServer:
             self._server.should_exit = True
 
 
-def _config(app: ASGIApp) -> uvicorn.Config:
+def _config(app: ASGIApp, tls: Tls | None) -> uvicorn.Config:
     return uvicorn.Config(
         app,
+        ssl_certfile=None if tls is None else tls.certificate,
+        ssl_keyfile=None if tls is None else str(tls.key),
         lifespan="off",
         limit_concurrency=_MOST_CONNECTIONS,
         log_level="warning",
@@ -168,17 +187,3 @@ class EndingServer(uvicorn.Server):
         await super().startup(sockets)
         if self.started:
             self._on_started()
-
-
-def _listening(port: int) -> socket.socket:
-    listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    try:
-        listener.bind((LOOPBACK, port))
-    except OSError as error:
-        listener.close()
-        raise BackendError(
-            f"Port {port} of this machine is taken ({error.strerror}). "
-            "Give another one with --port, or --port 0 for any free one."
-        ) from error
-    return listener

@@ -13,6 +13,7 @@ from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.decisions import Decision, Reply, body_hash, refusal
 from sitewright.interaction_twin.languages import PHRASEBOOKS
 from sitewright.interaction_twin.roles import NEEDED_ROLE, Person, Role, Verb
+from sitewright.interaction_twin.web.place import Place
 from sitewright.interaction_twin.web.requests import (
     BadRequestError,
     DecisionBody,
@@ -37,13 +38,13 @@ _REPORT_POLICY = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors
 class Api:
     """Everything under ``/api``; each method answers one route of `ROUTES`."""
 
-    def __init__(self, twin: Twin, sessions: Sessions, *, port: int) -> None:
-        self._twin, self._sessions, self._port = twin, sessions, port
+    def __init__(self, twin: Twin, sessions: Sessions, place: Place) -> None:
+        self._twin, self._sessions, self._place = twin, sessions, place
 
     @property
     def cookie(self) -> str:
         """Name of the cookie: SameSite does not tell ports apart, so the name does."""
-        return f"sitewright-{self._port}"
+        return f"sitewright-{self._place.port}"
 
     # ---- who ---------------------------------------------------------------------------------
 
@@ -70,6 +71,7 @@ class Api:
             max_age=SESSION_S,
             httponly=True,
             samesite="strict",
+            secure=self._place.is_secure,
             path="/",
         )
         return response
@@ -97,7 +99,7 @@ class Api:
             "who": person.who,
             "role": person.role.value,
             "can": verbs,
-            "port": self._port,
+            "port": self._place.port,
             "is_simulation": True,
             "languages": list(LANGUAGES),
         }

@@ -14,6 +14,7 @@ from starlette.responses import JSONResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from sitewright.foundation.canonical import Json
+from sitewright.interaction_twin.web.place import Place
 
 MOST_BODY_BYTES = 1_000_000
 _SAFE = ("GET", "HEAD")
@@ -42,14 +43,14 @@ class _No:
 class Gate:
     """Lets in what comes from the server's own page, and programs with a token of their own."""
 
-    def __init__(self, app: ASGIApp, *, hosts: frozenset[str]) -> None:
+    def __init__(self, app: ASGIApp, place: Place) -> None:
         """Guard an application.
 
         Args:
             app: What is guarded.
-            hosts: All hosts (with port) under which the server is reached.
+            place: Where the server is reached.
         """
-        self._app, self._hosts = app, hosts
+        self._app, self._place = app, place
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass a request on, or refuse it before anybody looks at it."""
@@ -74,16 +75,17 @@ class Gate:
     def _objection(self, scope: Scope) -> _No | None:
         headers = _headers(scope)
         host = headers.get("host", [])
-        if len(host) != 1 or host[0] not in self._hosts:
+        if len(host) != 1 or host[0] not in self._place.hosts:
             return _No(403, "host", "This server is reached under its own address only.")
-        return _of_origin(scope, headers, host[0]) or _of_body(scope, headers)
+        own = f"{self._place.scheme}://{host[0]}"
+        return _of_origin(scope, headers, own) or _of_body(scope, headers)
 
 
-def _of_origin(scope: Scope, headers: Mapping[str, list[str]], host: str) -> _No | None:
+def _of_origin(scope: Scope, headers: Mapping[str, list[str]], own: str) -> _No | None:
     foreign = _No(403, "origin", "This request comes from another page.")
     origin = headers.get("origin", [])
     if origin:
-        return None if origin == [f"http://{host}"] else foreign
+        return None if origin == [own] else foreign
     if headers.get("sec-fetch-site", ["none"]) not in (["none"], ["same-origin"]):
         return foreign
     is_change = scope["type"] == "websocket" or scope["method"] not in _SAFE

@@ -41,6 +41,7 @@ class Sessions:
         users: By name; empty if there is only the one local user.
         local_role: Role of whoever opens the link that the server printed.
         one_time: Tokens that were printed and not used yet.
+        program_sha256: Of the token by which this user's own programs decide; empty if none may.
     """
 
     key: bytes
@@ -48,12 +49,19 @@ class Sessions:
     users: Mapping[str, User] = field(default_factory=dict)
     local_role: Role = Role.ADMIN
     one_time: set[str] = field(default_factory=set)
+    program_sha256: str = ""
     _tickets: dict[str, tuple[Person, int]] = field(default_factory=dict)
 
     def invite(self) -> str:
         """Return a token that signs in one time."""
         token = secrets.token_urlsafe(32)
         self.one_time.add(token)
+        return token
+
+    def program_token(self) -> str:
+        """Return a token for programs of whoever started the server; it ends with the server."""
+        token = secrets.token_urlsafe(32)
+        self.program_sha256 = _sha256(token)
         return token
 
     def sign_in(self, user: str, token: str) -> Person | None:
@@ -96,6 +104,8 @@ class Sessions:
     def person_of_token(self, bearer: str) -> Person | None:
         """Return whose own token it is (``Authorization: Bearer``)."""
         digest = _sha256(bearer)
+        if self.program_sha256 and hmac.compare_digest(digest, self.program_sha256):
+            return Person(who="local", role=self.local_role, session="command-line")
         for user in self.users.values():
             if hmac.compare_digest(digest, user.token_sha256):
                 return Person(who=user.name, role=user.role, session=f"token-{digest[:8]}")

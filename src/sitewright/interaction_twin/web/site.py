@@ -16,6 +16,7 @@ from sitewright.interaction_twin.decisions import refusal
 from sitewright.interaction_twin.web.api import Api, answer
 from sitewright.interaction_twin.web.gate import Gate
 from sitewright.interaction_twin.web.hub import Hub
+from sitewright.interaction_twin.web.place import Place
 from sitewright.interaction_twin.web.requests import BadRequestError
 from sitewright.interaction_twin.web.routes import ROUTES, ApiRoute
 from sitewright.interaction_twin.web.sessions import Sessions
@@ -31,17 +32,17 @@ def application(
     sessions: Sessions,
     hub: Hub,
     *,
-    port: int,
+    place: Place,
 ) -> ASGIApp:
-    """Return the whole server for a port of this machine.
+    """Return the whole server.
 
     Args:
         twin: The world behind it.
         sessions: Who is signed in.
         hub: The pages that are connected.
-        port: Where it listens; part of every address that it answers to.
+        place: Where it is reached.
     """
-    api = Api(twin, sessions, port=port)
+    api = Api(twin, sessions, place)
     socket = Socket(twin, sessions, hub)
     routes = [Route(r.path, _endpoint(api, r), methods=[r.method]) for r in ROUTES]
     app = Starlette(
@@ -52,7 +53,7 @@ def application(
             Mount("/static", StaticFiles(directory=STATIC, check_dir=False)),
         ],
     )
-    return Gate(app, hosts=frozenset({f"127.0.0.1:{port}", f"localhost:{port}"}))
+    return Gate(app, place)
 
 
 def _endpoint(api: Api, route: ApiRoute) -> Endpoint:
