@@ -30,15 +30,20 @@ def chromium() -> Iterator[Browser]:
         yield running
 
 
+def only(folder: Path, *components: str) -> Path:
+    """Write the frame with some of its components only."""
+    new_project(folder)
+    building = json.loads((folder / "building.json").read_text())
+    building["components"] = [c for c in building["components"] if c["id"] in components]
+    building["relations"] = []
+    (folder / "building.json").write_text(json.dumps(building))
+    return folder
+
+
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[ServedProject]:
     """Serve two supports; a crate stands where the second one belongs."""
-    folder = tmp_path / "frame"
-    new_project(folder)
-    building = json.loads((folder / "building.json").read_text())
-    building["components"] = [c for c in building["components"] if "support" in c["id"]]
-    building["relations"] = []
-    (folder / "building.json").write_text(json.dumps(building))
+    folder = only(tmp_path / "frame", "support-1", "support-2")
     cell = folder / "cell.toml"
     cell.write_text(cell.read_text() + _BOX)
     with ServedProject(folder) as running:
@@ -99,3 +104,45 @@ def _told_and_shown(seen: Seen, trouble: dict[str, Any], blocker: str) -> None:
     assert trouble["pair"][0] in carried
     page.click(".tried-then button")  # one tap
     page.wait_for_function("() => __app.tried().lit.length === 0", timeout=WAIT_MS)
+
+
+def test_a_no_leads_to_another_way_and_then_to_options_never_to_a_dead_end(
+    chromium: Browser, tmp_path: Path
+) -> None:
+    with ServedProject(only(tmp_path / "frame", "support-1")) as served:
+        seen = look(chromium, served)
+        seen.open(dots=0.5)
+        if seen.json("/api/state")["phase"] == "idle":
+            seen.page.click(".resume")
+        first = seen.waiting()
+        moved = next(s for s in first["steps"] if s["motions"])
+        _reject(seen, first, moved["number"], "path-unsafe")
+        second = seen.waiting(other_than=first["fingerprint"])
+        again = next(s for s in second["steps"] if s["words"] == moved["words"])
+        assert [m["trajectory_sha256"] for m in again["motions"]] != [
+            m["trajectory_sha256"] for m in moved["motions"]
+        ]
+
+        grasp = next(s for s in second["steps"] if s["skill"] == "grasp")
+        _reject(seen, second, grasp["number"], "wrong-component")
+        state = seen.until(lambda s: s["phase"] == "needs-help")
+        (trouble,) = state["trouble"]
+        assert trouble["verdict_kind"] == "rejected"
+        told = _trouble(seen, trouble)
+        for words in trouble["rejected"]:
+            expect(told).to_contain_text(words)
+        expect(told).to_contain_text("local rejected step")
+        draw, ask = (
+            next(o for o in trouble["options"] if o["id"] == name) for name in ("draw", "again")
+        )
+        told.get_by_role("button", name=draw["words"]).click()
+        seen.page.click("dialog[open] footer button >> nth=0")
+        told.get_by_role("button", name=ask["words"]).click()
+        third = seen.waiting(other_than=second["fingerprint"])
+        assert [s["words"] for s in third["steps"]] == [s["words"] for s in first["steps"]]
+        assert seen.complaints == []
+
+
+def _reject(seen: Seen, plan: dict[str, Any], step: int, reason: str) -> None:
+    body = {"verb": "reject", "fingerprint": plan["fingerprint"], "reason": reason, "step": step}
+    assert seen.post("/api/decisions", {**body, "key": secrets.token_hex(16)})[0] == 200

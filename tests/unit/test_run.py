@@ -155,12 +155,21 @@ def test_another_feasible_action_runs_as_a_proposal_of_one_step(tmp_path: Path) 
 
 
 def test_a_rejected_plan_is_not_proposed_again_for_ever(tmp_path: Path) -> None:
-    site = Site(tmp_path)
+    site = Site(tmp_path, site=design(targets=1))
     site.person.script = [lambda _: Reject(who="tester", reason="path-unsafe", detail="too near")]
     result = run_project(site.ports(), site.options())
     assert (result.exit_code, site.world().log) == (7, [])
     assert result.site.rejections[0].detail == "too near"
-    assert "no other plan" in result.message
+    (reason,) = result.site.refused.values()
+    assert reason == "stud-1: its plan was rejected, and no other one was found."
+    assert run_project(site.ports(), site.options()).is_complete  # the same plan, asked for again
+
+
+def test_a_target_whose_plan_was_rejected_does_not_keep_the_others_waiting(tmp_path: Path) -> None:
+    site = Site(tmp_path, site=design(targets=2))
+    site.person.script = [lambda _: Reject(who="tester", reason="path-unsafe")]
+    result = run_project(site.ports(), site.options())
+    assert (result.exit_code, result.site.installed) == (6, ("stud-2",))
 
 
 def test_a_target_put_off_is_left_out_of_this_run(tmp_path: Path) -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from sitewright.central_controller.site_state import Rejection
 from sitewright.central_controller.wishes import (
     another_seed,
+    detours,
     put_off,
     wanted_pieces,
     without_refused_robots,
@@ -46,3 +49,14 @@ def test_a_robot_refused_for_a_step_loses_that_fact_alone() -> None:
     left = without_refused_robots(facts, STUD, [rejected("wrong-robot")])
     assert left.can_grasp == {(A, tool, THIN_2), (B, tool, THIN_1)}
     assert without_refused_robots(facts, STUD, [rejected("wrong-robot", step=0)]) == facts
+
+
+def test_a_call_goes_another_way_as_often_as_its_way_was_called_unsafe() -> None:
+    of_step = replace(rejected("path-unsafe"), step=1)
+    (call,) = of_step.calls
+    assert detours(STUD, [of_step, of_step]) == {call: 2}
+    assert detours(ComponentId("stud-2"), [of_step]) == {}
+    whole = replace(of_step, step=0)
+    assert detours(STUD, [whole]) == {}  # another seed comes first
+    assert detours(STUD, [whole], everywhere=1) == {call: 1}
+    assert detours(STUD, [replace(of_step, reason="wrong-robot")]) == {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from sitewright.app.runner import Run
 from sitewright.app.runner_steps import observed
@@ -18,7 +19,14 @@ from sitewright.central_controller.events import (
     TargetSelected,
     TargetWaits,
 )
-from sitewright.central_controller.ports import Escalation, NothingToDo, Planned
+from sitewright.central_controller.fingerprint import fingerprint
+from sitewright.central_controller.ports import (
+    Escalation,
+    NothingToDo,
+    Planned,
+    ProposalOutcome,
+    SiteContext,
+)
 from sitewright.central_controller.proposal import Proposal
 from sitewright.foundation.canonical import canonical_json
 from sitewright.foundation.ids import ComponentId
@@ -27,6 +35,8 @@ from sitewright.journal.blobs import write_whole
 from sitewright.robot_team.skill import Skill, SkillCall
 
 _APPROVAL = 7
+_MOST_AGAIN = 2
+"""So often the planner is asked for other motions than those of a plan that was rejected."""
 _MOST_FIGURES_BYTES = 32_768
 _EFFECT_OF: Mapping[str, str] = {
     Skill.POSITION: "(in-place ",
@@ -41,7 +51,7 @@ def plan_next(run: Run, exclude: frozenset[ComponentId]) -> Iterator[AnyEvent]:
     seen = yield from observed(run)
     if run.state.held is not None:
         return
-    outcome = run.ports.planner.propose(run.context(seen), exclude=exclude)
+    outcome = _other_than_rejected(run, run.context(seen), exclude)
     match outcome:
         case Planned():
             until = outcome.proposal.target
@@ -62,6 +72,28 @@ def plan_next(run: Run, exclude: frozenset[ComponentId]) -> Iterator[AnyEvent]:
             )
         case NothingToDo():
             yield finished(run)
+
+
+def _other_than_rejected(
+    run: Run, context: SiteContext, exclude: frozenset[ComponentId]
+) -> ProposalOutcome:
+    """Return a plan that nobody rejected; a target without one is for a person."""
+    outcome = run.ports.planner.propose(context, exclude=exclude)
+    for again in range(1, _MOST_AGAIN + 1):
+        if not _is_rejected(run, outcome):
+            return outcome
+        outcome = run.ports.planner.propose(replace(context, again=again), exclude=exclude)
+    if not isinstance(outcome, Planned) or not _is_rejected(run, outcome):
+        return outcome
+    target = outcome.proposal.target
+    reason = Sentence("{target}: its plan was rejected, and no other one was found.", target=target)
+    return Escalation(target=target, reason=reason, is_proven=False, exit_code=_APPROVAL)
+
+
+def _is_rejected(run: Run, outcome: ProposalOutcome) -> bool:
+    if not isinstance(outcome, Planned):
+        return False
+    return fingerprint(outcome.proposal) in run.state.rejected
 
 
 def plan_single(run: Run, call: SkillCall) -> Iterator[AnyEvent]:

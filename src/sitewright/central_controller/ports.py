@@ -32,11 +32,13 @@ class SiteContext:
         site: Fold of design and journal; `site.serial` goes into the proposal, and
             `site.rejections` are wishes to be respected.
         observation: The cell as sensed just now.
+        again: How often the planner came back with a plan that was rejected.
     """
 
     run: RunId
     site: SiteState
     observation: Observation
+    again: int = 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

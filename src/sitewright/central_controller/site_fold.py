@@ -24,7 +24,8 @@ from sitewright.central_controller.events import (
 )
 from sitewright.central_controller.sensed import merged
 from sitewright.central_controller.site_state import PlacedPiece, SiteState
-from sitewright.foundation.ids import RobotId
+from sitewright.central_controller.wishes import put_off
+from sitewright.foundation.ids import ComponentId, RobotId
 
 
 def site_after(  # noqa: C901, PLR0911 -- one line per kind of event
@@ -58,7 +59,16 @@ def _zoned(site: SiteState, event: ZoneDrawn | ZoneRemoved) -> SiteState:
         zones = {**site.zones, event.zone.id: event.zone}
     else:
         zones = {i: z for i, z in site.zones.items() if i != event.zone}
-    return replace(site, zones=zones, serial=site.serial + 1)
+    return replace(site, zones=zones, serial=site.serial + 1, refused=_still_refused(site, event))
+
+
+def _still_refused(site: SiteState, event: ZoneDrawn | ZoneRemoved) -> Mapping[ComponentId, str]:
+    """Return what stays set aside: a zone less may free a target, one more may please a person."""
+    later = put_off(site.rejections)
+    rejected = {r.target for r in site.rejections}
+    if isinstance(event, ZoneRemoved):
+        return {t: why for t, why in site.refused.items() if t in later}
+    return {t: why for t, why in site.refused.items() if t in later or t not in rejected}
 
 
 def _redesigned(site: SiteState, event: DesignChanged) -> SiteState:

@@ -12,7 +12,7 @@ from sitewright.central_controller.ports import SiteContext
 from sitewright.central_controller.situation import jobsite_of, task_of
 from sitewright.central_controller.statuses import lies_at, robot_statuses
 from sitewright.central_controller.target_planning import PlanningPorts
-from sitewright.central_controller.wishes import another_seed, without_refused_robots
+from sitewright.central_controller.wishes import another_seed, detours, without_refused_robots
 from sitewright.construction_graph.graph import ConstructionGraph
 from sitewright.foundation.ids import ComponentId
 from sitewright.planning_twin.jobsite import Jobsite, PieceShape
@@ -126,6 +126,7 @@ class Surveyor:
             task=task,
             seed=another_seed(self.seed, target, context.site.rejections),
             kept=self.ports.kept,
+            detours=detours(target, context.site.rejections, everywhere=context.again),
         )
 
     def view(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
@@ -39,6 +40,25 @@ def another_seed(seed: int, target: ComponentId, rejections: Iterable[Rejection]
     """Return a seed that gives other paths for each time that a path was called unsafe."""
     count = sum(r.reason == PATH_UNSAFE and r.target == target for r in rejections)
     return seed + count * _SEEDS_APART
+
+
+def detours(
+    target: ComponentId, rejections: Iterable[Rejection], *, everywhere: int = 0
+) -> Mapping[SkillCall, int]:
+    """Return how often the way of a call was called unsafe.
+
+    Args:
+        target: What is planned.
+        rejections: All of this run.
+        everywhere: Whole plans that were called unsafe count so often for each of their calls:
+            0 while another seed may give another plan.
+    """
+    found: Counter[SkillCall] = Counter()
+    for rejection in rejections:
+        if rejection.reason == PATH_UNSAFE and rejection.target == target:
+            times = 1 if rejection.step else everywhere
+            found.update({call: times for call in rejection.calls if times})
+    return found
 
 
 def put_off(rejections: Iterable[Rejection]) -> frozenset[ComponentId]:

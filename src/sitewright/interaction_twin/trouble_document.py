@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
 from sitewright.central_controller.cycle_state import CycleState
-from sitewright.central_controller.events import DeviationSeen, RefusalMet, TargetRefused
+from sitewright.central_controller.events import (
+    ApprovalRejected,
+    DeviationSeen,
+    RefusalMet,
+    RunStarted,
+    TargetRefused,
+)
 from sitewright.central_controller.outcomes import WITH_HELPS
 from sitewright.central_controller.ports import RefusalNote
 from sitewright.central_controller.steering import HELD_BY_PERSON, hand_facts
+from sitewright.central_controller.wishes import LATER
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId
 from sitewright.foundation.pose import Pose
 from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.labels import Labels
+from sitewright.interaction_twin.narration import narrate
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.retelling import retold
@@ -58,14 +66,25 @@ class Verdict(StrEnum):
     NOT_FOUND = "not-found"
     PERSON = "person"
     WISH = "wish"
+    REJECTED = "rejected"
 
 
 @dataclass(frozen=True, slots=True)
 class _Refused:
-    """A target that was set aside, with what was refused right before."""
+    """A target that was set aside, with what was refused right before.
+
+    Attributes:
+        rejections: What people rejected about it in the same run.
+    """
 
     event: TargetRefused
     notes: tuple[RefusalNote, ...]
+    rejections: tuple[ApprovalRejected, ...] = ()
+
+    @property
+    def is_rejected(self) -> bool:
+        """Whether a person's "no" is one of the reasons."""
+        return any(r.rejection.reason != LATER for r in self.rejections)
 
     @property
     def telling(self) -> RefusalNote | None:
@@ -79,14 +98,21 @@ def _refusals(history: Sequence[Stamped]) -> dict[ComponentId, _Refused]:
     """Return the last refusal of each target; its notes stand right before it in the journal."""
     found: dict[ComponentId, _Refused] = {}
     notes: list[RefusalNote] = []
+    rejected: list[ApprovalRejected] = []
     for stamped in history:
         match stamped.event:
             case RefusalMet(refusal=note):
                 notes.append(note)
             case TargetRefused() as event:
                 mine = tuple(n for n in notes if n.target == event.target)
-                found[event.target] = _Refused(event, mine)
+                no = tuple(r for r in rejected if r.rejection.target == event.target)
+                found[event.target] = _Refused(event, mine, no)
                 notes = []
+            case ApprovalRejected() as event:
+                rejected.append(event)
+                notes = []
+            case RunStarted():
+                notes, rejected = [], []
             case _:
                 notes = []
     return found
@@ -110,7 +136,9 @@ class _Telling:
         if refused is None:
             return self.entry(target, reason, None)
         event, note = refused.event, refused.telling
-        entry = self.entry(target, _without_helps(reason), _verdict(event), event.blockers)
+        verdict = Verdict.REJECTED if refused.is_rejected else _verdict(event)
+        entry = self.entry(target, _without_helps(reason), verdict, event.blockers)
+        entry["rejected"] = [self.rejected(r) for r in refused.rejections]
         entry["counter_proposals"] = [
             {"words": self(c.words), "steps": c.steps, "duration_s": c.duration_s}
             for c in event.counter_proposals
@@ -142,15 +170,42 @@ class _Telling:
             "blockers": list(blockers),
             "blocker_names": [self(Sentence("{text}", text=b)) for b in blockers],
             "counter_proposals": [],
-            "options": self.options(target),
+            "rejected": [],
+            "options": self.options(target, is_rejected=verdict is Verdict.REJECTED),
         }
 
-    def options(self, target: ComponentId) -> list[Json]:
+    def rejected(self, event: ApprovalRejected) -> str:
+        """Return who rejected what, and why."""
+        rejection = event.rejection
+        why: str = REASONS.get(rejection.reason, Sentence("something else"))
+        if rejection.detail:
+            why = Sentence("{what}: {detail}", what=why, detail=rejection.detail)
+        if not rejection.step or not rejection.calls:
+            return self(Sentence("{who} rejected the plan: {why}", who=event.who, why=why))
+        call = narrate(rejection.calls[0], self.labels, self.book)
+        return self(
+            Sentence(
+                "{who} rejected step {step} ({call}): {why}",
+                who=event.who,
+                step=rejection.step,
+                call=call,
+                why=why,
+            )
+        )
+
+    def options(self, target: ComponentId, *, is_rejected: bool) -> list[Json]:
         """Return what a person can decide now; each is checked again when it is decided."""
         state, found = self.state, list[Json]()
         if state.held is not None or state.finished is not None:
-            words = self(Sentence("Plan it again, after the cell was looked at"))
-            found.append({"id": "again", "verb": "resume", "words": words})
+            again = (
+                Sentence("Ask for the same plan again, after a look at the cell")
+                if is_rejected
+                else Sentence("Plan it again, after the cell was looked at")
+            )
+            found.append({"id": "again", "verb": "resume", "words": self(again)})
+        if is_rejected:
+            draw = Sentence("Draw a keep-out zone, so that the robots go another way")
+            found.append({"id": "draw", "verb": "zone", "words": self(draw)})
         if hand_facts(state.site).get(target):
             words = self(Sentence("Say which of its work was done by hand"))
             found.append({"id": "by-hand", "verb": "manual", "words": words})
@@ -159,6 +214,15 @@ class _Telling:
             remove: Json = {"remove": zone}
             found.append({"id": f"remove-{zone}", "verb": "zone", "zone": remove, "words": words})
         return found
+
+
+REASONS: Mapping[str, Sentence] = {
+    "wrong-component": Sentence("wrong component"),
+    "wrong-robot": Sentence("wrong robot"),
+    "path-unsafe": Sentence("the path looks unsafe"),
+    "site-differs": Sentence("the site is different"),
+    LATER: Sentence("later"),
+}
 
 
 def _without_helps(reason: str) -> str:
@@ -189,6 +253,8 @@ def _words_of(verdict: Verdict, blockers: tuple[str, ...]) -> Sentence:
             return Sentence("a person must put it right")
         case Verdict.WISH:
             return Sentence("a person's wish")
+        case Verdict.REJECTED:
+            return Sentence("rejected, and nothing else was found")
 
 
 def _posture(moment: Moment) -> Json:

@@ -32,6 +32,7 @@ def call_scope(stage: Stage, call: SkillCall) -> str:
         {
             "call": repr((call, stage.upcoming)),
             "seed": context.seed,
+            "detour": stage.detour,
             "parking": repr(sorted(stage.parking.items())),
             "holdings": [repr(h) for h in holdings],
             "task": repr(context.task),

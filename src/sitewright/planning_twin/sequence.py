@@ -98,6 +98,7 @@ def plan_sequence(
             context=_context_at(context, site, calls[:number]),
             study=study,
             upcoming=calls[number + 1 :],
+            detour=context.detours.get(calls[number], 0),
             parking=parking,
         )
         result = _planned(stage, calls[number])

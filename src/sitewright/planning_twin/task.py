@@ -13,6 +13,7 @@ from sitewright.planning_twin.kept_refusals import KeptRefusals
 from sitewright.planning_twin.motion import PlanningBackends
 from sitewright.planning_twin.scene import Pair, pair_of
 from sitewright.robot_team.cell import Cell, EndEffector
+from sitewright.robot_team.skill import SkillCall
 
 UP: Vector = (0.0, 0.0, 1.0)
 
@@ -70,6 +71,7 @@ class TwinContext:
 
     Attributes:
         kept: Refusals that were met before.
+        detours: How often people called the way of a call unsafe; it goes another way then.
     """
 
     backends: PlanningBackends
@@ -77,6 +79,7 @@ class TwinContext:
     task: Task
     seed: int = 0
     kept: KeptRefusals = field(default_factory=KeptRefusals)
+    detours: Mapping[SkillCall, int] = field(default_factory=dict)
 
     @property
     def cell(self) -> Cell:

@@ -10,6 +10,7 @@ from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import Pose
 from sitewright.foundation.sentence import Sentence
 from sitewright.planning_twin.approach import Approach, Approaches, Reaching, Touch
+from sitewright.planning_twin.detour import plan_detour
 from sitewright.planning_twin.free_motion import plan_free_motion
 from sitewright.planning_twin.jobsite import scene_of
 from sitewright.planning_twin.moment import moment_of
@@ -146,9 +147,11 @@ def _free_segments(
     start_rad = scene.robots[robot].q_rad
     if max(abs(a - b) for a, b in zip(start_rad, goal_rad, strict=True)) < _SAME_POSTURE_RAD:
         return ()
-    found = plan_free_motion(
-        stage.context.backends, scene, robot, goal_rad, resting, seed=stage.context.seed
-    )
+    backends, seed = stage.context.backends, stage.context.seed
+    if stage.detour:
+        way = plan_detour(backends, scene, robot, goal_rad, resting, seed=seed, number=stage.detour)
+        return (way,) if isinstance(way, PathSegment) else way
+    found = plan_free_motion(backends, scene, robot, goal_rad, resting, seed=seed)
     return (found,) if isinstance(found, PathSegment) else found
 
 

@@ -28,6 +28,7 @@ class Stage:
 
     Attributes:
         upcoming: The calls after the one that is planned now.
+        detour: How often the way of this call was called unsafe.
         parking: Which parking posture a robot takes when it just has to go away.
         resting_of: What was found to rest while a robot moves, remembered as long as the stage.
     """
@@ -35,6 +36,7 @@ class Stage:
     context: TwinContext
     study: Study
     upcoming: tuple[SkillCall, ...] = ()
+    detour: int = 0
     parking: Mapping[RobotId, int] = field(default_factory=dict)
     resting_of: dict[RobotId, dict[Pair, float]] = field(
         default_factory=dict, init=False, repr=False, compare=False

@@ -230,6 +230,7 @@ export interface Trouble {
   pair_names: string[];
   blockers: string[];
   counter_proposals: Tried[];
+  rejected: string[];
   options: Option[];
   posture: Posture | null;
 }

@@ -6,6 +6,7 @@ import { blockers, isReachable, may, mode, proposal, run, shownTrouble } from ".
 import type { Option, Question, Tried, Trouble } from "../wire";
 import { inNumbers, say, sayWord } from "../words/words";
 import { Dialog } from "./dialog";
+import { isDrawingZone } from "./zone-dialog";
 
 export function NeedsHelp() {
   const state = run.value;
@@ -55,6 +56,9 @@ function Stuck({ trouble }: { trouble: Trouble }) {
         {say("help.title")}: {trouble.name}
       </h2>
       <p>{trouble.reason}</p>
+      {trouble.rejected.map((words) => (
+        <p key={words}>{words}</p>
+      ))}
       {trouble.verdict !== "" && (
         <p class="verdict">
           <b>{trouble.verdict}</b> {sayWord("verdict", trouble.verdict_kind)}
@@ -104,6 +108,7 @@ function OptionButton({ option, onManual }: { option: Option; onManual: () => vo
   const { verb, call, step, zone } = option;
   const act = (): void => {
     if (verb === "manual") onManual();
+    else if (verb === "zone" && zone === undefined) isDrawingZone.value = true;
     else void decide({ fingerprint, verb, ...(call && { call }), ...(zone && { zone }), ...(step !== undefined && { step }) });
   };
   return (

@@ -224,6 +224,7 @@ export const de: Words = {
   "verdict.blocked": "Etwas ist im Weg. Ohne das könnte sich ein Weg finden.",
   "verdict.not-found": "Die Suche endete ohne Weg; es kann trotzdem einen geben.",
   "verdict.person": "Bis dahin rührt der Lauf es nicht an.",
+  "verdict.rejected": "Ein Mensch hat abgelehnt, und ein anderer Plan wurde nicht gefunden. Derselbe Plan kann noch einmal vorgelegt werden; ohne Ja geschieht nichts.",
   "verdict.wish": "Es kommt wieder, wenn alles andere getan ist, oder im nächsten Lauf.",
   "help.tried": "An einer Kopie erprobt, und es geht:",
   "help.tried-one": "{words} ({steps} Schritte, {seconds} s)",

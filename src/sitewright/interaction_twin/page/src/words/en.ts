@@ -223,6 +223,7 @@ export const en = {
   "verdict.blocked": "Something is in the way. Without it a way might be found.",
   "verdict.not-found": "The search ended without a way; there may be one all the same.",
   "verdict.person": "The run does not touch it until then.",
+  "verdict.rejected": "A person said no, and no other plan was found. The same plan can be asked for again; nothing is done without a yes.",
   "verdict.wish": "It comes again when everything else is done, or in the next run.",
   "help.tried": "Tried on a copy, and it works:",
   "help.tried-one": "{words} ({steps} steps, {seconds} s)",

@@ -224,6 +224,7 @@ export const es: Words = {
   "verdict.blocked": "Algo estorba. Sin eso quizá se encuentre un camino.",
   "verdict.not-found": "La búsqueda acabó sin camino; aun así puede haber uno.",
   "verdict.person": "Hasta entonces la ejecución no lo toca.",
+  "verdict.rejected": "Una persona dijo que no, y no se encontró otro plan. Se puede volver a pedir el mismo plan; nada se hace sin un sí.",
   "verdict.wish": "Vuelve cuando todo lo demás esté hecho, o en la próxima ejecución.",
   "help.tried": "Probado en una copia, y funciona:",
   "help.tried-one": "{words} ({steps} pasos, {seconds} s)",

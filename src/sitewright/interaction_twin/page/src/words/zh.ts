@@ -224,6 +224,7 @@ export const zh: Words = {
   "verdict.blocked": "有东西挡路。移开之后也许能找到办法。",
   "verdict.not-found": "搜索结束时没有找到办法，但不等于没有。",
   "verdict.person": "在那之前运行不会碰它。",
+  "verdict.rejected": "有人拒绝了，且没有找到别的方案。可以再次提出同一方案；没有同意就什么也不做。",
   "verdict.wish": "其他都做完后，或在下次运行时再做。",
   "help.tried": "已在副本上试过，可行：",
   "help.tried-one": "{words}（{steps} 步，{seconds} 秒）",
