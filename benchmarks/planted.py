@@ -37,6 +37,7 @@ _NUDGES_M = (0.0003, 0.003)
 _AWAY_M = 0.8
 _DIRECTIONS = 6
 _HALVINGS = 13
+_CLUTTER_M = (3.0, 9.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,6 +100,22 @@ def planted(certifier: Certifier, seed: int) -> Planted | None:
         path=path,
         things=(name,),
     )
+
+
+def with_clutter(case: Planted, seed: int, count: int) -> Planted:
+    """Return a case with boxes all around, most of them too far away for any arm.
+
+    Those are what a proof leaves out by lengths alone; whether it may is what is tried.
+    """
+    rng, scene = np.random.default_rng([815, seed]), case.scene
+    names = tuple(BodyId(f"clutter-{k}") for k in range(count))
+    for name in names:
+        around, away_m = float(rng.uniform(0.0, math.tau)), float(rng.uniform(*_CLUTTER_M))
+        x_m, y_m = away_m * math.cos(around), away_m * math.sin(around)
+        x, y, z = rng.uniform(0.02, 0.6, 3).tolist()
+        pose = Pose((x_m, y_m, float(rng.uniform(0.0, 4.0))))
+        scene = scene.with_body(Body(id=name, shape=(Box((x, y, z)),), placement=pose))
+    return replace(case, scene=scene, things=(*case.things, *names))
 
 
 def look_densely(case: Planted) -> DenseVerdict:
