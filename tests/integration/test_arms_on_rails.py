@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import mujoco
@@ -27,7 +28,7 @@ from sitewright.planning_twin.motion import (
     JointPath,
     PathSegment,
 )
-from sitewright.planning_twin.refusal import NotClear
+from sitewright.planning_twin.refusal import NoIk, NotClear
 from sitewright.planning_twin.scene import RobotInScene, SceneSnapshot
 from sitewright.robot_team.cell import Robot, RobotSubtype
 from sitewright.robot_team.description import Description, Joints
@@ -154,3 +155,18 @@ def test_search_timing_and_second_opinion_take_a_rail() -> None:
     assert (fastest <= np.array(speeds) * 1.001).all()
     assert isinstance(backends.cross_check.check(scene, timed), Agreement)
     assert all(len(a) == len(b) == 7 for a, b in pairwise(found.waypoints_rad))
+
+
+def test_postures_on_a_long_track_are_found_wherever_the_rail_would_have_to_be() -> None:
+    """From its far end an arm finds what it reached somewhere along 30 m."""
+    long = on_rails(kr120(), [replace(rail((0.0, 1.0, 0.0)), travel_m=(-15.0, 15.0))], Pose())
+    kinematics, places = make_backends().kinematics, list[int]()
+    for q in postures(long, 60, seed=4):
+        wanted = tip_pose(long, tuple(q.tolist()))
+        found = kinematics.solve(long, wanted, (-15.0, *HOME[1:]))
+        assert not isinstance(found, NoIk)
+        rails_m = {round(f[0], 6) for f in found}
+        places.append(len(rails_m))
+        assert all(abs(at_m - q[0]) < 6.0 for at_m in rails_m)
+        assert max(tip_pose(long, f).distance_to_m(wanted) for f in found) < 1e-6
+    assert sorted(places)[len(places) // 2] > 4, "a wrist is within reach from several places"
