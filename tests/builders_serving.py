@@ -21,7 +21,7 @@ from sitewright.app.serving.channel import Channel
 from sitewright.app.serving.history import history_of
 from sitewright.app.serving.memory import Memory
 from sitewright.app.serving.policy_file import policy_of
-from sitewright.app.serving.project_run import begins_itself, begun, state_after
+from sitewright.app.serving.project_run import begins_itself, begun, state_after, types_of
 from sitewright.app.serving.run_process import Hear, PipeLink
 from sitewright.app.serving.server import Address, PageServer, ServeOptions
 from sitewright.app.serving.worker import Hooks, Worker
@@ -77,6 +77,7 @@ class ThreadLink:
 
     def _work(self, channel: Channel) -> None:
         runs, memory = self.site.folder / "runs", Memory()
+        project = read_project(self.site.folder)
         history = history_of(runs)
         for record in history:
             memory.note(record.run, record.stamped)
@@ -85,7 +86,8 @@ class ThreadLink:
             memory=memory,
             run_once=self._run_once,
             begins_itself=begins_itself(history, self.site.site),
-            policy=policy_of(read_project(self.site.folder).settings),
+            policy=policy_of(project.settings),
+            types=types_of(project.model),
             at_rest=lambda: state_after(history_of(runs), self.site.site),
         ).serve()
         channel.close()

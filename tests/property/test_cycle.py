@@ -10,7 +10,7 @@ from hypothesis import settings
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
 
 from builders_run import KEY, A, B, SmallPlanner, design
-from sitewright.central_controller.approval import START_DEADLINE_NS, Approval, sealed
+from sitewright.central_controller.approval import Approval, sealed
 from sitewright.central_controller.cycle import advance, folded
 from sitewright.central_controller.cycle_state import CycleState, Phase
 from sitewright.central_controller.events import (
@@ -35,6 +35,7 @@ from sitewright.central_controller.events import (
 from sitewright.central_controller.fingerprint import fingerprint
 from sitewright.central_controller.guard import Granted, Refused, may_start
 from sitewright.central_controller.ports import (
+    START_WITHIN_S,
     Answer,
     Planned,
     Scope,
@@ -241,7 +242,7 @@ class Cycle(RuleBasedStateMachine):
                 scope=scope,
                 who="tester",
                 given_utc_ns=given_ns,
-                start_before_utc_ns=given_ns + START_DEADLINE_NS,
+                start_before_utc_ns=given_ns + round(START_WITHIN_S * 1e9),
                 nonce=self.fresh(),
             ),
             KEY,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sitewright.app.runner import Run
-from sitewright.central_controller.approval import START_DEADLINE_NS, Approval, sealed
+from sitewright.central_controller.approval import Approval, sealed
 from sitewright.central_controller.events import (
     AlternativeChosen,
     AnyEvent,
@@ -126,7 +126,7 @@ def _approved(run: Run, request: ApprovalRequest, answer: Approve) -> Iterator[A
         scope=answer.scope,
         who=answer.who,
         given_utc_ns=now,
-        start_before_utc_ns=now + START_DEADLINE_NS,
+        start_before_utc_ns=now + round(answer.start_within_s * 1e9),
         nonce=run.ports.ids.new(),
         comment=answer.comment,
     )

@@ -9,9 +9,6 @@ from dataclasses import dataclass, replace
 from sitewright.central_controller.ports import Scope
 from sitewright.foundation.canonical import canonical_json
 
-START_DEADLINE_NS = 600_000_000_000
-"""An approval whose first step has not started after 10 min is void."""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Approval:

@@ -279,6 +279,10 @@ class ApprovalRequest:
     site: SiteState = field(default_factory=SiteState)
 
 
+START_WITHIN_S = 600.0
+"""An approval whose first step has not started after 10 min is void, unless a policy says else."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Approve:
     """Yes, to the fingerprint that was shown.
@@ -286,6 +290,7 @@ class Approve:
     Attributes:
         fingerprint: The one that was shown; another one in memory makes the answer stale.
         who: Name of the person or policy.
+        start_within_s: If its first step has not started by then, it is void.
     """
 
     fingerprint: str
@@ -293,6 +298,7 @@ class Approve:
     scope: Scope = Scope()
     comment: str = ""
     decision: DecisionRecord | None = None
+    start_within_s: float = START_WITHIN_S
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

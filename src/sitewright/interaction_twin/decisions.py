@@ -145,6 +145,19 @@ def not_asked(message: str, **facts: Json) -> Reply:
     return refusal(409, "not-asked", message, **facts)
 
 
+def one_of_two(signed: Signed) -> Reply:
+    """Return that one person is not enough for this."""
+    verb = signed.decision.verb.value
+    message = f"Noted. To {verb}, a second person must decide the same."
+    body: dict[str, Json] = {
+        "ok": False,
+        "verb": verb,
+        "waiting_for": "second person",
+        "message": message,
+    }
+    return Reply(status=202, body=body)
+
+
 def no_run(message: str) -> Reply:
     """Return that the process of the run is not there."""
     return refusal(503, "run", message)

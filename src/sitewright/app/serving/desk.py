@@ -8,12 +8,13 @@ is told only when the journal has its event on the disk.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from threading import Condition
 
 from sitewright.app.serving.memory import Memory, decision_of
-from sitewright.app.serving.rules import answer_of, objection, sameness, site_objection
+from sitewright.app.serving.rules import Review, answer_of, objection, sameness, site_objection
+from sitewright.app.serving.telling import way_document
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import RunFinished, RunHeld
@@ -28,8 +29,7 @@ from sitewright.central_controller.ports import (
 )
 from sitewright.central_controller.site_state import SiteState
 from sitewright.errors import JournalError, SitewrightError
-from sitewright.foundation.canonical import Json
-from sitewright.foundation.sentence import Sentence, parts_of
+from sitewright.foundation.ids import ComponentId
 from sitewright.interaction_twin.decisions import (
     Reply,
     Signed,
@@ -37,6 +37,7 @@ from sitewright.interaction_twin.decisions import (
     no_run,
     not_asked,
     not_recorded,
+    one_of_two,
     refusal,
     stale,
 )
@@ -80,12 +81,13 @@ def _nowhere() -> CycleState:
 class Desk:
     """Port `Approver` for people at a page."""
 
-    def __init__(
+    def __init__(  # noqa: PLR0913 -- all that decisions are judged by
         self,
         memory: Memory,
         *,
         policy: ApprovalPolicy | None = None,
         at_rest: Callable[[], CycleState] = _nowhere,
+        types: Mapping[ComponentId, str] | None = None,
         waits_to_go: bool = True,
         now_s: Callable[[], float] = time.monotonic,
         on_asking: Callable[[str], None] = lambda _: None,
@@ -96,12 +98,14 @@ class Desk:
             memory: What was decided before.
             policy: Rules of the project.
             at_rest: The state of the run while it stands.
+            types: Type of each component of the design.
             waits_to_go: The run stands until somebody wants it to go on.
             now_s: Clock for those who wait for a second person.
             on_asking: Gets what an answer is taken to from now on (`Standing.asks`).
         """
         self._on_asking = on_asking
         self._memory, self._policy = memory, policy or ApprovalPolicy()
+        self._types = types or {}
         self._at_rest, self._now_s = at_rest, now_s
         self._firsts: dict[str, tuple[Signed, float]] = {}
         self._changed = Condition()
@@ -326,7 +330,9 @@ class Desk:
             return self._memory.too_late(decision.fingerprint, open_)
         if decision.next_step not in (0, request.next_step):
             return self._memory.too_late(decision.fingerprint, "")
-        return objection(signed, request, self._policy)
+        authors = self._memory.authors_of(request.fingerprint)
+        review = Review(policy=self._policy, authors=authors, types=self._types)
+        return objection(signed, request, review)
 
     # ---- answers ---------------------------------------------------------------------------
 
@@ -337,7 +343,9 @@ class Desk:
             return self._taken, errand, None if self._taken else self._hold
 
     def _answer_of(self, taken: _Taken, request: ApprovalRequest) -> ApprovalAnswer | None:
-        return answer_of(taken.signed) or self._instead(taken, request, taken.signed.record())
+        return answer_of(taken.signed, self._policy) or self._instead(
+            taken, request, taken.signed.record()
+        )
 
     def _instead(
         self, taken: _Taken, request: ApprovalRequest, record: DecisionRecord
@@ -360,7 +368,9 @@ class Desk:
             ways = [] if request.is_single else self._computed(request)
         except SitewrightError as error:
             return no_run(f"The other ways could not be worked out: {error}")
-        return Reply(status=200, body={"step": request.next_step, "ways": [_way(w) for w in ways]})
+        return Reply(
+            status=200, body={"step": request.next_step, "ways": [way_document(w) for w in ways]}
+        )
 
     def _computed(self, request: ApprovalRequest) -> list[Alternative]:
         if self._ways is None:
@@ -372,31 +382,3 @@ class Desk:
         errands, self._errands = self._errands, []
         for errand in errands:
             errand.respond(not_asked("No plan waits for a decision any more."))
-
-
-def one_of_two(signed: Signed) -> Reply:
-    """Return that one person is not enough for this."""
-    verb = signed.decision.verb.value
-    message = f"Noted. To {verb}, a second person must decide the same."
-    body: dict[str, Json] = {
-        "ok": False,
-        "verb": verb,
-        "waiting_for": "second person",
-        "message": message,
-    }
-    return Reply(status=202, body=body)
-
-
-def _way(way: Alternative) -> Json:
-    return {
-        "call": {
-            "skill": way.call.skill,
-            "robot": way.call.robot,
-            "arguments": list(way.call.arguments),
-        },
-        "duration_s": way.duration_s,
-        "price_s": way.price_s,
-        "is_feasible": not way.leads_nowhere,
-        "note": way.note,
-        "note_told": parts_of(way.note) if isinstance(way.note, Sentence) else None,
-    }

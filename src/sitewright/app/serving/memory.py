@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from sitewright.app.serving.authors import Authors
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import (
     AlternativeChosen,
@@ -35,10 +36,12 @@ class Memory:
         self._first: dict[str, tuple[str, Mapping[str, Json]]] = {}
         self._decided: dict[str, Mapping[str, Json]] = {}
         self._gone: dict[str, str] = {}
+        self._authors = Authors()
 
     def note(self, run: str, stamped: Stamped) -> None:
         """Learn from an event that is on the disk."""
         event = stamped.event
+        self._authors.note(event)
         if isinstance(event, ProposalSuperseded):
             self._gone[event.fingerprint] = event.reason
         record = decision_of(event)
@@ -59,6 +62,10 @@ class Memory:
         self._first.setdefault(record.key, (record.body_sha256, body))
         if fingerprint:
             self._decided[fingerprint] = body
+
+    def authors_of(self, fingerprint: str) -> frozenset[str]:
+        """Return who wished for what a plan carries out."""
+        return self._authors.by_fingerprint.get(fingerprint, frozenset())
 
     def body_of(self, key: str) -> str:
         """Return the hash of what a key decided; empty if it decided nothing yet."""

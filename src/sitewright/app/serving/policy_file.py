@@ -21,6 +21,9 @@ class _ApprovalTable(BaseModel):
     second_within_minutes: float = Field(default=10.0, gt=0.0, le=1_440.0)
     supervisor_below_mm: float = Field(default=0.0, ge=0.0, le=1_000.0)
     look_below_mm: float = Field(default=20.0, ge=0.0, le=1_000.0)
+    prevent_self_review: bool = False
+    max_unstarted_minutes: float = Field(default=10.0, gt=0.0, le=60.0)
+    step_by_step_first_n_of_type: int = Field(default=0, ge=0, le=1_000)
 
 
 def policy_of(settings: Mapping[str, Json], *, has_users: bool = True) -> ApprovalPolicy:
@@ -40,9 +43,10 @@ def policy_of(settings: Mapping[str, Json], *, has_users: bool = True) -> Approv
     never = [v for v in table.two_person if v in _NEVER_TWO]
     if never:
         raise ProjectError(f"{SETTINGS}, [approval]: {never[0]} never waits for a second person.")
-    if table.two_person and not has_users:
+    if (table.two_person or table.prevent_self_review) and not has_users:
+        rule = "two_person" if table.two_person else "prevent_self_review"
         raise ProjectError(
-            f"{SETTINGS}, [approval]: two_person needs people who can be told apart. "
+            f"{SETTINGS}, [approval]: {rule} needs people who can be told apart. "
             "Add them with `sitewright user`, and serve with --users."
         )
     return ApprovalPolicy(
@@ -50,4 +54,7 @@ def policy_of(settings: Mapping[str, Json], *, has_users: bool = True) -> Approv
         second_within_s=table.second_within_minutes * 60.0,
         supervisor_below_m=table.supervisor_below_mm / _MM,
         look_below_m=table.look_below_mm / _MM,
+        prevent_self_review=table.prevent_self_review,
+        max_unstarted_s=table.max_unstarted_minutes * 60.0,
+        step_by_step_first_n_of_type=table.step_by_step_first_n_of_type,
     )

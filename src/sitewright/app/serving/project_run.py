@@ -18,12 +18,14 @@ from sitewright.app.serving.memory import Memory
 from sitewright.app.serving.policy_file import policy_of
 from sitewright.app.serving.rules import site_wish
 from sitewright.app.serving.worker import Hooks, Worker
+from sitewright.building_model.model import BuildingModel
 from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import AnyEvent, ProposalSuperseded, QuestionAnswered
 from sitewright.central_controller.site_state import SiteState, site_of
 from sitewright.central_controller.steering import Steering, steered
+from sitewright.foundation.ids import ComponentId
 from sitewright.interaction_twin.decisions import Signed
 from sitewright.interaction_twin.roles import Verb
 
@@ -88,7 +90,13 @@ def worker_of(
         begins_itself=not waits and (from_design or begins_itself(history, design)),
         policy=policy_of(project.settings),
         at_rest=at_rest,
+        types=types_of(project.model),
     )
+
+
+def types_of(model: BuildingModel) -> dict[ComponentId, str]:
+    """Return the type of each component."""
+    return {c.id: c.type for c in model.component_by_id.values()}
 
 
 class Begun(TypedDict):

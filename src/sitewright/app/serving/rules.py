@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 from sitewright.central_controller.codec import to_json
 from sitewright.central_controller.ports import (
@@ -25,11 +26,31 @@ from sitewright.interaction_twin.policy import ApprovalPolicy
 from sitewright.interaction_twin.roles import Role, Verb
 
 
-def objection(signed: Signed, request: ApprovalRequest, policy: ApprovalPolicy) -> Reply | None:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Review:
+    """What an approval is judged by.
+
+    Attributes:
+        policy: Rules of the project.
+        authors: Who wished for what the open plan carries out.
+        types: Type of each component of the design.
+    """
+
+    policy: ApprovalPolicy
+    authors: frozenset[str] = frozenset()
+    types: Mapping[ComponentId, str] = field(default_factory=dict)
+
+
+def objection(signed: Signed, request: ApprovalRequest, review: Review) -> Reply | None:
     """Return why a decision about the open proposal cannot be taken; None if it can."""
     match signed.decision.verb:
         case Verb.APPROVE:
-            return _of_scope(signed, request) or _of_clearance(signed, request, policy)
+            return (
+                _of_scope(signed, request)
+                or _of_clearance(signed, request, review.policy)
+                or _of_author(signed, review)
+                or _of_first_ones(signed, request, review)
+            )
         case Verb.REJECT | Verb.NEW_MOTION:
             return _of_step(signed.decision.step, request)
         case _:
@@ -54,7 +75,7 @@ def sameness(decision: Decision) -> str:
     return canonical_json(to_json(bare))
 
 
-def answer_of(signed: Signed) -> ApprovalAnswer | None:
+def answer_of(signed: Signed, policy: ApprovalPolicy) -> ApprovalAnswer | None:
     """Return what a decision is to the run; None for another action, which is looked up first."""
     decision, who, record = signed.decision, signed.person.who, signed.record()
     match decision.verb:
@@ -65,6 +86,7 @@ def answer_of(signed: Signed) -> ApprovalAnswer | None:
                 scope=decision.scope,
                 comment=decision.comment,
                 decision=record,
+                start_within_s=policy.max_unstarted_s,
             )
         case Verb.REJECT | Verb.NEW_MOTION:
             is_motion = decision.verb is Verb.NEW_MOTION
@@ -135,6 +157,28 @@ def _of_clearance(signed: Signed, request: ApprovalRequest, policy: ApprovalPoli
             )
             return refusal(403, "role", message, needs=Role.SUPERVISOR.value, step=step.number)
     return None
+
+
+def _of_author(signed: Signed, review: Review) -> Reply | None:
+    who = signed.person.who
+    if not review.policy.prevent_self_review or who not in review.authors:
+        return None
+    message = f"{who} asked for what this plan does; another person must approve it."
+    return refusal(403, "self-review", message, authors=sorted(review.authors))
+
+
+def _of_first_ones(signed: Signed, request: ApprovalRequest, review: Review) -> Reply | None:
+    """The first components of a type are approved one step at a time."""
+    wanted = review.policy.step_by_step_first_n_of_type
+    kind = review.types.get(request.proposal.target, "")
+    built = sum(review.types.get(t) == kind for t in request.site.installed)
+    if signed.decision.scope.kind is ScopeKind.STEP or built >= wanted:
+        return None
+    message = (
+        f"The first {wanted} of type {kind} are approved step by step ({built} are built); "
+        f"approve step {request.next_step} by itself."
+    )
+    return refusal(403, "step-by-step", message, next_step=request.next_step)
 
 
 def _of_hand_work(signed: Signed, site: SiteState) -> Reply | None:

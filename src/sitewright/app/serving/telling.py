@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from sitewright.central_controller.ports import Alternative
 from sitewright.central_controller.site_state import SiteState
 from sitewright.central_controller.steering import hand_facts
 from sitewright.foundation.canonical import Json
 from sitewright.foundation.ids import ComponentId, RobotId
-from sitewright.foundation.sentence import Sentence, sentence_of
+from sitewright.foundation.sentence import Sentence, parts_of, sentence_of
 from sitewright.interaction_twin.decisions import Reply
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.narration import narrate
@@ -72,3 +73,19 @@ def _in_words(fact: str, labels: Labels, book: Phrasebook) -> str:
     if name == "standing":
         return retold(Sentence("{target} stands by itself", target=subject), labels, book)
     return retold(Sentence("{operation} is done", operation=subject), labels, book)
+
+
+def way_document(way: Alternative) -> Json:
+    """Return another action as the run tells it to the server."""
+    return {
+        "call": {
+            "skill": way.call.skill,
+            "robot": way.call.robot,
+            "arguments": list(way.call.arguments),
+        },
+        "duration_s": way.duration_s,
+        "price_s": way.price_s,
+        "is_feasible": not way.leads_nowhere,
+        "note": way.note,
+        "note_told": parts_of(way.note) if isinstance(way.note, Sentence) else None,
+    }

@@ -6,7 +6,7 @@ It ends when the server is gone: the robots are held, the journal says so, and `
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from threading import Lock, Thread
 from typing import Protocol
@@ -20,6 +20,7 @@ from sitewright.central_controller.cycle_state import CycleState
 from sitewright.central_controller.events import event_to_json
 from sitewright.central_controller.site_state import SiteState
 from sitewright.errors import SitewrightError
+from sitewright.foundation.ids import ComponentId
 from sitewright.interaction_twin.decisions import Reply, Signed, no_run
 from sitewright.interaction_twin.policy import ApprovalPolicy
 from sitewright.interaction_twin.report.content import Stamped
@@ -62,6 +63,7 @@ class Worker:
         begins_itself: Begin without being told: nothing is approved, so nothing moves.
         policy: Rules of the project.
         at_rest: The state of the run while it stands.
+        types: Type of each component of the design.
     """
 
     channel: Channel
@@ -70,6 +72,7 @@ class Worker:
     begins_itself: bool = False
     policy: ApprovalPolicy = field(default_factory=ApprovalPolicy)
     at_rest: Callable[[], CycleState] = lambda: CycleState(site=SiteState())
+    types: Mapping[ComponentId, str] = field(default_factory=dict)
     _driver: CellDriver | None = field(default=None, init=False)
     _driver_lock: Lock = field(default_factory=Lock, init=False)
 
@@ -79,6 +82,7 @@ class Worker:
             self.memory,
             policy=self.policy,
             at_rest=self.at_rest,
+            types=self.types,
             waits_to_go=not self.begins_itself,
             on_asking=self._tell_asking,
         )
