@@ -48,6 +48,10 @@ def test_a_stud_that_its_holder_is_in_the_way_of_is_impossible_by_a_check_that_s
     assert refused.is_proven
     assert refused.verdict == "proven impossible"
     assert "since kr120-a, which holds it, is in the way of stud-1.nail-1" in refused.reason
+    assert "let go of stud-1 with fewer fasteners driven" in refused.reason
+    assert [c.words for c in refused.counter_proposals] == [
+        "let go of stud-1 with 1 of its fasteners driven"
+    ]
     found = held_check(project, target)
     assert found.is_impossible
     assert found.ways == 468

@@ -10,6 +10,7 @@ from builders_planning import EXAMPLES
 from builders_reach import checked, contradictions, missed
 from sitewright.app.planning import plan_project
 from sitewright.app.project import Project, read_project
+from sitewright.building_model.component import Layer
 from sitewright.foundation.ids import RobotId
 from sitewright.foundation.pose import translation
 from sitewright.planning_twin.reachability.verdict import Standing
@@ -45,3 +46,20 @@ def test_check_and_plan_agree_on_what_can_be_built(
     can = {v.target for v in reach.verdicts if v.standing is Standing.BUILDABLE}
     assert can == {p.proposal.target for p in plan.planned}
     assert len(can) == buildable
+
+
+@pytest.mark.parametrize("is_stock_heavy", [True, False])
+def test_check_and_plan_weigh_the_piece_that_is_lifted(is_stock_heavy: bool) -> None:  # noqa: FBT001
+    """Not what the design says of the target, which may be of another material."""
+    project = read_project(EXAMPLES / "wooden_frame")
+    heavy = Layer.MATERIAL if is_stock_heavy else Layer.TARGET
+    components = {
+        i: replace(c, mass_kg=500.0 if c.layer is heavy else 10.0)
+        for i, c in project.model.component_by_id.items()
+    }
+    project = replace(project, model=replace(project.model, component_by_id=components))
+    reach, plan = checked(project), plan_project(project, target="support-1")
+    (verdict,) = (v for v in reach.verdicts if v.target == "support-1")
+    assert (verdict.standing is Standing.IMPOSSIBLE) is is_stock_heavy
+    assert any("the arm carries" in reason for reason in verdict.reasons) is is_stock_heavy
+    assert any(e.target == "support-1" and e.is_proven for e in plan.escalated) is is_stock_heavy

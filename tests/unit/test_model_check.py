@@ -218,6 +218,23 @@ def test_a_process_without_a_skill_is_a_warning() -> None:
     assert "'glue' has no built-in skill" in found.message
 
 
+@pytest.mark.parametrize(("wanted", "has"), [(2, 1), (1, 0), (3, 1)])
+def test_nothing_is_held_until_more_fasteners_are_in_than_it_has(wanted: int, has: int) -> None:
+    driven = [nail("n1", on=["stud", "support"], at_m=(0, 0, 0.02))][:has]
+    held = {"hold_until_fasteners": wanted}
+    problem = the("F5", check_model(frame(*driven, stud=held)))
+    assert (problem.severity, problem.where) == ("E", "stud")
+    assert f"until {wanted} fasteners are in" in problem.message
+    assert problem.fix.endswith(f"or lower 'hold_until_fasteners' to {has}.")
+
+
+def test_all_fasteners_may_be_asked_for_and_finishes_are_none() -> None:
+    driven = nail("n1", on=["stud", "support"], at_m=(0, 0, 0.02))
+    paint = replace(driven, id=OperationId("p1"), process=Process.PAINT, fastener=None)
+    assert "F5" not in codes(check_model(frame(driven, stud={"hold_until_fasteners": 1})))
+    assert "F5" in codes(check_model(frame(driven, paint, stud={"hold_until_fasteners": 2})))
+
+
 def test_a_floating_component_needs_fasteners_or_falsework() -> None:
     floating = {"at_m": (0, 0, 0.9)}
     assert "F2" in codes(check_model(frame(stud=floating)))

@@ -92,7 +92,7 @@ def _target(
     pieces = (*supplied.accessible, *supplied.others)
     return ReachTarget(
         number=number,
-        shape=_shape(design.model, component),
+        shape=_shape(design.model, component, pieces),
         task=replace(task, placed=None),
         world_T_piece={p: lying[p] for p in pieces},
         waits_for=supplied.waits_for,
@@ -105,11 +105,16 @@ def _place(graph: ConstructionGraph, supplied: Supplied) -> str:
     return next((n.place for n in nodes if isinstance(n, MaterialNode)), "")
 
 
-def _shape(model: BuildingModel, component: Component) -> PieceShape:
+def _shape(model: BuildingModel, component: Component, pieces: Iterable[ComponentId]) -> PieceShape:
+    """Return the shape of a target with the mass of the lightest piece that may become it.
+
+    A target is too heavy only if every piece is; what is lifted is the piece.
+    """
+    masses_kg = (mass_of(model.component_by_id[p], model.materials) for p in pieces)
     return PieceShape(
         shape=shape_of(component),
         size_m=size_of(component),
-        mass_kg=mass_of(component, model.materials),
+        mass_kg=min(masses_kg, default=mass_of(component, model.materials)),
     )
 
 

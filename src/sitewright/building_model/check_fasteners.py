@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sitewright.building_model.component import Component, Operation, Process
+from sitewright.building_model.component import Component, Layer, Operation, Process
 from sitewright.building_model.convex import inside_length_m, planes_of
 from sitewright.building_model.findings import refused, warned
 from sitewright.building_model.model import BuildingModel
@@ -23,6 +23,7 @@ _THROUGH_AND_INTO = 2
 def fastener_problems(model: BuildingModel) -> Iterator[Problem]:
     """Yield fasteners that are missing or too short, and processes without a skill."""
     for component in model.component_by_id.values():
+        yield from _held_too_long(component)
         for operation in component.operations:
             if operation.process in _WITHOUT_SKILL:
                 word = operation.process.value
@@ -33,6 +34,18 @@ def fastener_problems(model: BuildingModel) -> Iterator[Problem]:
             elif operation.process is Process.PAINT and operation.patch is None:
                 message = f"Operation {operation.id!r} paints, but states no patch."
                 yield refused("C2", component, message, "Add 'patch' with size and stroke.")
+
+
+def _held_too_long(component: Component) -> Iterator[Problem]:
+    """Yield that a component could never be let go of: it has too few fasteners."""
+    wanted = component.hold_until_fasteners
+    has = sum(o.process in _FASTENING for o in component.operations)
+    if component.layer is not Layer.TARGET or wanted <= has:
+        return
+    what = {0: "no fastener", 1: "1 fastener"}.get(has, f"{has} fasteners")
+    message = f"It is to be held until {wanted} fasteners are in, and has {what}."
+    fix = "Give it more nails or screws, or a rule for them; or lower 'hold_until_fasteners'"
+    yield refused("F5", component, message, f"{fix} to {has}.")
 
 
 def penetration_m(component: Component, operation: Operation, receiver: Component) -> float:

@@ -18,6 +18,7 @@ CODES: Mapping[str, str] = {
     "F2": "A component has no support below and nothing fastens it.",
     "F3": "What stands already leaves a component no straight way in.",
     "F4": "A component rests on something that it does not state.",
+    "F5": "More fasteners must be driven before a component is let go of than it has.",
     "G1": "Two components overlap.",
     "G2": "A mesh is open.",
     "G3": "A curved shape has no saved mesh.",

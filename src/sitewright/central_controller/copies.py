@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import replace
 
-from sitewright.building_model.component import Layer
+from sitewright.building_model.component import Component, Layer
 from sitewright.building_model.model import BuildingModel
 from sitewright.building_model.shapes import shape_of
 from sitewright.central_controller.design import Design
@@ -23,6 +23,13 @@ from sitewright.planning_twin.layout.movables import MovableKind, Shift, Yard, y
 def with_model(surveyor: Surveyor, model: BuildingModel) -> Surveyor:
     """Return what would be looked at under another design of the same pieces."""
     return _with_design(surveyor, Design(model=model, cell=surveyor.design.cell))
+
+
+def with_component(surveyor: Surveyor, component: Component) -> Surveyor:
+    """Return what would be looked at if one component were designed otherwise."""
+    model = surveyor.design.model
+    components = {**model.component_by_id, component.id: component}
+    return with_model(surveyor, replace(model, component_by_id=components))
 
 
 def without_pieces(context: SiteContext, pieces: Iterable[ComponentId]) -> SiteContext:

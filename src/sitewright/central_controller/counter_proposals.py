@@ -9,6 +9,7 @@ from itertools import islice
 from sitewright.building_model.model import RelationKind
 from sitewright.central_controller.copies import (
     moved_on_a_copy,
+    with_component,
     with_model,
     without_pieces,
 )
@@ -108,6 +109,7 @@ class Adviser:
         yield from self._other_orders(context, refusal)
         yield from self._taken_away(context, refusal)
         yield from self._driven_later(context)
+        yield from self._let_go_earlier(context, refusal)
         yield from self._moved(context, refusal)
 
     def _other_orders(self, context: SiteContext, refusal: TargetRefusal) -> Iterator[_Change]:
@@ -148,15 +150,32 @@ class Adviser:
             operations = tuple(
                 replace(o, needs_hold=False) if o is forced else o for o in component.operations
             )
-            changed = replace(component, operations=operations)
-            components = {**model.component_by_id, component.id: changed}
             yield _Change(
                 words=Sentence(
                     "let {operation} be driven after {target} is let go of",
                     operation=forced.id,
                     target=self.target,
                 ),
-                surveyor=with_model(self.surveyor, replace(model, component_by_id=components)),
+                surveyor=with_component(self.surveyor, replace(component, operations=operations)),
+                context=context,
+            )
+
+    def _let_go_earlier(self, context: SiteContext, refusal: TargetRefusal) -> Iterator[_Change]:
+        """Yield that fewer fasteners are driven while the piece is held, the rest afterwards."""
+        component = self.surveyor.design.model.component_by_id[self.target]
+        forced = sum(o.needs_hold for o in component.operations)
+        if not any(f[0] in ("can-grasp", "can-place") for f in refusal.blamed):
+            return
+        for count in range(component.hold_until_fasteners - 1, max(forced, 1) - 1, -1):
+            fewer = replace(component, hold_until_fasteners=count)
+            yield _Change(
+                words=Sentence(
+                    "let go of {target} with {count} of its fasteners driven",
+                    target=self.target,
+                    count=count,
+                ),
+                about="hold_until_fasteners",
+                surveyor=with_component(self.surveyor, fewer),
                 context=context,
             )
 

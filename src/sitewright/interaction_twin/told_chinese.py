@@ -141,6 +141,8 @@ TOLD_CHINESE: Mapping[str, str] = {
     "make {fact} true": "做到：{fact}",
     "take {things:and} out of the way": "把{things:and}移开",
     "let {operation} be driven after {target} is let go of": "松开 {target} 之后再做{operation}",
+    "let go of {target} with {count} of its fasteners driven": "{target} 固定好 {count} 个紧固件后就松开",
+    "let go of {target} with fewer fasteners driven, or another robot or gripper": "{target} 少固定几个紧固件就松开，或换机器人或夹爪",
     "the stack at {place}": "{place} 的料堆",
     "the base of {robot}": "{robot} 的底座",
     "place {other} before {target}": "在 {target} 之前先放 {other}",

@@ -176,6 +176,10 @@ TOLD_GERMAN: Mapping[str, str] = {
     "take {things:and} out of the way": "{things:and} aus dem Weg räumen",
     "let {operation} be driven after {target} is let go of": "{operation} erst setzen, wenn "
     "{target} losgelassen ist",
+    "let go of {target} with {count} of its fasteners driven": "{target} loslassen, sobald {count} "
+    "der Befestigungen sitzen",
+    "let go of {target} with fewer fasteners driven, or another robot or gripper": "{target} schon "
+    "mit weniger Befestigungen loslassen, oder ein anderer Roboter oder Greifer",
     "the stack at {place}": "den Stapel auf {place}",
     "the base of {robot}": "den Sockel von {robot}",
     "place {other} before {target}": "{other} vor {target} einbauen",

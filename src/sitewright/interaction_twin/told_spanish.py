@@ -141,6 +141,8 @@ TOLD_SPANISH: Mapping[str, str] = {
     "make {fact} true": "lograr esto: {fact}",
     "take {things:and} out of the way": "apartar {things:and}",
     "let {operation} be driven after {target} is let go of": "poner {operation} después de soltar {target}",
+    "let go of {target} with {count} of its fasteners driven": "soltar {target} con {count} de sus fijaciones puestas",
+    "let go of {target} with fewer fasteners driven, or another robot or gripper": "soltar {target} con menos fijaciones puestas, u otro robot u otra pinza",
     "the stack at {place}": "la pila de {place}",
     "the base of {robot}": "la base de {robot}",
     "place {other} before {target}": "colocar {other} antes que {target}",

@@ -124,6 +124,11 @@ def depends_on_start(refusal: Refusal) -> bool:
             return False
 
 
+def is_for_fasteners(refusal: Refusal) -> bool:
+    """Tell whether there would be a grasp if fewer fasteners had to be driven while it is held."""
+    return isinstance(refusal, NoGrasp) and any(name == _TACKS for name, _ in refusal.dropped_by)
+
+
 def is_out_of_reach(
     context: TwinContext, robot: Robot, piece: ComponentId, world_T_piece: Pose
 ) -> bool:

@@ -8,7 +8,12 @@ from functools import partial
 
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.sentence import Sentence
-from sitewright.planning_twin.holding import depends_on_start, find_holding, steadying
+from sitewright.planning_twin.holding import (
+    depends_on_start,
+    find_holding,
+    is_for_fasteners,
+    steadying,
+)
 from sitewright.planning_twin.holding_scope import holding_scope
 from sitewright.planning_twin.jobsite import Jobsite
 from sitewright.planning_twin.passing_on import might_be_passed_on
@@ -210,10 +215,16 @@ def _no_holding(
         why=in_words(refusal),
     )
     refused = replace(_refused(context, robot, fact, refusal, evidence), piece=piece)
-    if not isinstance(refusal, BlockedBy):
+    if isinstance(refusal, BlockedBy):
+        away = tuple(other for _, other in refusal.pairs)
+        remedy = Sentence("take {things:and} out of the way", things=away)
+    elif is_for_fasteners(refusal):
+        remedy = Sentence(
+            "let go of {target} with fewer fasteners driven, or another robot or gripper",
+            target=target,
+        )
+    else:
         return refused
-    away = tuple(other for _, other in refusal.pairs)
-    remedy = Sentence("take {things:and} out of the way", things=away)
     return replace(refused, nogood=replace(refused.nogood, remedy=remedy))
 
 
