@@ -89,7 +89,7 @@ def test_what_was_refused_is_not_searched_again_while_nothing_relevant_changes(
     assert (again.reason, again.refusals) == (first.reason, first.refusals)
     assert searched > 100
     assert counted.asked < searched / 4
-    assert planner.ports.kept.reused == 1
+    assert planner.ports.kept.reused == 2, "here, and on the copy that lets go of it earlier"
 
 
 def test_a_refusal_is_void_for_another_design_of_the_same_target(frame: Rehearsal) -> None:
