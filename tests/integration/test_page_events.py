@@ -23,7 +23,9 @@ def state_home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @contextmanager
-def listening(served: Served, page: httpx.Client, after: object) -> Iterator[ClientConnection]:
+def listening(
+    served: Served, page: httpx.Client, after: object, language: str = "en"
+) -> Iterator[ClientConnection]:
     with connect(
         f"ws://127.0.0.1:{served.address.port}/ws",
         additional_headers={"origin": served.origin},
@@ -31,7 +33,7 @@ def listening(served: Served, page: httpx.Client, after: object) -> Iterator[Cli
         close_timeout=2,
     ) as link:
         ticket = page.post("/api/ws-ticket", json={}).json()["ticket"]
-        link.send(json.dumps({"ticket": ticket, "after": after}))
+        link.send(json.dumps({"ticket": ticket, "after": after, "lang": language}))
         yield link
 
 
@@ -98,3 +100,27 @@ def test_frames_are_a_header_and_numbers() -> None:
     frame = poses_frame([(3, Pose((1.0, 2.0, 3.0)))], epoch=2, sequence=8, t_ms=2.5)
     assert len(frame) == 16 + 32
     assert struct.unpack("<BBHIdHH7f", frame)[5:] == (3, 0, 1, 2, 3, 1, 0, 0, 0)
+
+
+def test_each_page_is_told_in_its_own_language_and_may_change_it(tmp_path: Path) -> None:
+    with Served(tmp_path / "project") as served:
+        page = served.local()
+        proposal = waiting(page)
+        everything = {"run": "", "n": 0}
+        with listening(served, page, everything, "de") as link:
+            told = heard_until(link, "state")
+            assert f"Lauf {told[0]['run']} beginnt." in [m.get("words") for m in told]
+            assert told[-1]["words"].startswith("Wartet auf eine Entscheidung: ")
+            link.send(json.dumps({"lang": "zh", "after": everything}))
+            again = heard_until(link, "caught-up")
+            assert f"运行 {told[0]['run']} 开始。" in [m.get("words") for m in again]
+            assert numbers(again) == numbers(told)
+            assert heard_until(link, "state")[-1]["words"].startswith("等待您的决定")
+        press = {**approval(proposal), "verb": "resume", "lang": "es"}
+        del press["scope"]
+        refused = page.post("/api/decisions", json=press)
+        assert (refused.status_code, refused.json()["message"]) == (
+            409,
+            "La ejecución ya está en marcha.",
+        )
+        assert "message~" not in refused.json()

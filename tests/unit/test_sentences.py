@@ -24,6 +24,7 @@ from sitewright.central_controller.outcomes import WITH_HELPS
 from sitewright.central_controller.ports import RefusalNote
 from sitewright.foundation.ids import ComponentId, RobotId
 from sitewright.foundation.sentence import JOINTS, Sentence, parts_of, sentence_of
+from sitewright.interaction_twin.decisions import DECIDED, DECIDED_OTHERWISE
 from sitewright.interaction_twin.labels import DRAWN_ZONE, Kind, Label, Labels
 from sitewright.interaction_twin.languages import PHRASEBOOKS
 from sitewright.interaction_twin.phrases import Phrasebook
@@ -71,7 +72,7 @@ def _templates() -> Iterator[str]:
                     yield text
                 case _:
                     pass
-    yield from (WITH_HELPS, DRAWN_ZONE, *JOINTS.values())
+    yield from (WITH_HELPS, DRAWN_ZONE, DECIDED_OTHERWISE, *DECIDED.values(), *JOINTS.values())
 
 
 def places(template: str) -> set[str]:

@@ -9,6 +9,7 @@ from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.ports import Answer, Scope
 from sitewright.foundation.canonical import Json, canonical_json, sha256_hex
 from sitewright.foundation.pose import Pose, Vector, from_axis_angle
+from sitewright.foundation.sentence import Sentence, parts_of
 from sitewright.interaction_twin.roles import Person, Verb
 from sitewright.robot_team.skill import SkillCall
 
@@ -119,8 +120,9 @@ class Reply:
 
 
 def refusal(status: int, error: str, message: str, **facts: Json) -> Reply:
-    """Return a "no" in the form that all of them have."""
-    return Reply(status=status, body={"error": error, "message": message, **facts})
+    """Return a "no" in the form that all of them have; ``message~`` says what it is made of."""
+    told = {"message~": parts_of(message)} if isinstance(message, Sentence) else {}
+    return Reply(status=status, body={"error": error, "message": message, **told, **facts})
 
 
 def stale(shown: str, open_: str, why: str) -> Reply:
@@ -128,7 +130,9 @@ def stale(shown: str, open_: str, why: str) -> Reply:
     return refusal(
         409,
         "stale",
-        "The site or the plan changed after this plan was shown. Look at the new plan first.",
+        Sentence(
+            "The site or the plan changed after this plan was shown. Look at the new plan first."
+        ),
         shown=shown,
         open=open_ or None,
         why=why,
@@ -137,7 +141,11 @@ def stale(shown: str, open_: str, why: str) -> Reply:
 
 def key_reused() -> Reply:
     """Return that a key came again with other content."""
-    return refusal(422, "key-reused", "This key was used for another decision; nothing was done.")
+    return refusal(
+        422,
+        "key-reused",
+        Sentence("This key was used for another decision; nothing was done."),
+    )
 
 
 def not_asked(message: str, **facts: Json) -> Reply:
@@ -148,12 +156,13 @@ def not_asked(message: str, **facts: Json) -> Reply:
 def one_of_two(signed: Signed) -> Reply:
     """Return that one person is not enough for this."""
     verb = signed.decision.verb.value
-    message = f"Noted. To {verb}, a second person must decide the same."
+    message = Sentence("Noted. A second person must decide the same.")
     body: dict[str, Json] = {
         "ok": False,
         "verb": verb,
         "waiting_for": "second person",
         "message": message,
+        "message~": parts_of(message),
     }
     return Reply(status=202, body=body)
 
@@ -166,20 +175,24 @@ def no_run(message: str) -> Reply:
 def not_recorded(why: str) -> Reply:
     """Return that the journal could not be written, so nothing was decided."""
     return refusal(
-        503, "journal", f"Not recorded, nothing decided: the journal cannot be written ({why})."
+        503,
+        "journal",
+        Sentence("Not recorded, nothing decided: the journal cannot be written ({why}).", why=why),
     )
 
 
-PAST: Mapping[Verb, str] = {
-    Verb.APPROVE: "approved",
-    Verb.REJECT: "rejected",
-    Verb.INSTEAD: "chose another action instead of",
-    Verb.NEW_MOTION: "asked for a new motion in",
-    Verb.HOLD: "held",
-    Verb.MISMATCH: "reported a mismatch in",
-    Verb.ZONE: "changed the keep-out zones of",
-    Verb.MANUAL: "completed by hand a part of",
+DECIDED: Mapping[Verb, str] = {
+    Verb.APPROVE: "{who} approved this plan already; nothing was done.",
+    Verb.REJECT: "{who} rejected this plan already; nothing was done.",
+    Verb.INSTEAD: "{who} chose another action instead of this plan already; nothing was done.",
+    Verb.NEW_MOTION: "{who} asked for a new motion in this plan already; nothing was done.",
+    Verb.HOLD: "{who} held this plan already; nothing was done.",
+    Verb.MISMATCH: "{who} reported a mismatch in this plan already; nothing was done.",
+    Verb.ZONE: "{who} changed the keep-out zones of this plan already; nothing was done.",
+    Verb.MANUAL: "{who} completed by hand a part of this plan already; nothing was done.",
 }
+"""Templates of who was quicker."""
+DECIDED_OTHERWISE = "{who} decided about this plan already; nothing was done."
 
 
 def shown_as(sentences: Sequence[str], most: int = 200) -> tuple[str, ...]:

@@ -30,7 +30,9 @@ def event_document(
     }
 
 
-def audit_document(run: str, stamped: Stamped, labels: Labels) -> dict[str, Json] | None:
+def audit_document(
+    run: str, stamped: Stamped, labels: Labels, book: Phrasebook = ENGLISH
+) -> dict[str, Json] | None:
     """Return who decided what, and which text was seen; None if the event is no decision."""
     event = stamped.event
     record = getattr(event, "decision", None)
@@ -52,7 +54,7 @@ def audit_document(run: str, stamped: Stamped, labels: Labels) -> dict[str, Json
         "key": "" if known is None else known.key,
         "language": "" if known is None else known.language,
         "shown": [] if known is None else list(known.shown),
-        "words": progress_line(event, labels).strip(),
+        "words": progress_line(event, labels, book).strip(),
         "detail": _detail(stamped),
     }
 

@@ -30,6 +30,7 @@ from sitewright.central_controller.ports import (
 from sitewright.central_controller.site_state import SiteState
 from sitewright.errors import JournalError, SitewrightError
 from sitewright.foundation.ids import ComponentId
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.decisions import (
     Reply,
     Signed,
@@ -197,7 +198,7 @@ class Desk:
         if isinstance(error, JournalError):
             reply = not_recorded(str(error))
         elif error is not None:
-            reply = no_run(f"The run broke off: {error}")
+            reply = no_run(Sentence("The run broke off: {why}", why=str(error)))
         for respond in taken.respond:
             respond(reply)
 
@@ -215,7 +216,7 @@ class Desk:
         """Ask for a hold; it is recorded when the robots are at rest."""
         with self._changed:
             if self._waits_to_go:
-                return not_asked("The run stands already.")
+                return not_asked(Sentence("The run stands already."))
             if self._hold is None:
                 self._hold = Hold(
                     who=signed.person.who,
@@ -229,7 +230,7 @@ class Desk:
         """Ask what else could be done instead of the next step of the open proposal."""
         with self._changed:
             if self._request is None:
-                respond(not_asked("No plan waits for a decision now."))
+                respond(not_asked(Sentence("No plan waits for a decision now.")))
                 return
             self._errands.append(_Errand(fingerprint, respond))
             self._changed.notify_all()
@@ -297,7 +298,7 @@ class Desk:
         match signed.decision.verb:
             case Verb.RESUME:
                 free = self._waits_to_go and self._taken is None
-                return None if free else not_asked("The run is under way already.")
+                return None if free else not_asked(Sentence("The run is under way already."))
             case Verb.ANSWER:
                 return self._about_question(signed)
             case Verb.ZONE | Verb.MANUAL if self._waits_to_go and self._taken is None:
@@ -312,7 +313,7 @@ class Desk:
         if taken is not None and taken.signed.decision.question_id == signed.decision.question_id:
             return self._memory.decided_first(taken.signed)
         if question is None or question.question_id != signed.decision.question_id:
-            return not_asked("This question is not open any more.")
+            return not_asked(Sentence("This question is not open any more."))
         return None
 
     def _about_proposal(self, signed: Signed) -> Reply | None:
@@ -321,7 +322,9 @@ class Desk:
         if taken is not None and taken.signed.decision.fingerprint == decision.fingerprint:
             return self._memory.decided_first(taken.signed)
         if request is None and not decision.fingerprint:
-            return not_asked("The run plans or moves now; hold it, or wait until it asks.")
+            return not_asked(
+                Sentence("The run plans or moves now; hold it, or wait until it asks.")
+            )
         wanted = decision.fingerprint
         if not wanted and request is not None and decision.verb in ABOUT_THE_SITE:
             wanted = request.fingerprint
@@ -356,7 +359,9 @@ class Desk:
             return DoInstead(who=taken.signed.person.who, call=call, decision=record)
         with self._changed:
             self._taken = None
-        reply = refusal(409, "not-feasible", "This action is not possible now; look again.")
+        reply = refusal(
+            409, "not-feasible", Sentence("This action is not possible now; look again.")
+        )
         for respond in taken.respond:
             respond(reply)
         return None
@@ -367,7 +372,7 @@ class Desk:
         try:
             ways = [] if request.is_single else self._computed(request)
         except SitewrightError as error:
-            return no_run(f"The other ways could not be worked out: {error}")
+            return no_run(Sentence("The other ways could not be worked out: {why}", why=str(error)))
         return Reply(
             status=200, body={"step": request.next_step, "ways": [way_document(w) for w in ways]}
         )
@@ -381,4 +386,4 @@ class Desk:
     def _refuse_errands(self) -> None:
         errands, self._errands = self._errands, []
         for errand in errands:
-            errand.respond(not_asked("No plan waits for a decision any more."))
+            errand.respond(not_asked(Sentence("No plan waits for a decision any more.")))

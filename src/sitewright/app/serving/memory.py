@@ -15,8 +15,10 @@ from sitewright.central_controller.events import (
 )
 from sitewright.central_controller.fingerprint import check_code
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.decisions import (
-    PAST,
+    DECIDED,
+    DECIDED_OTHERWISE,
     Reply,
     Signed,
     not_asked,
@@ -84,7 +86,7 @@ class Memory:
             return _decided(str(first["who"]), str(first["verb"]), first["at_ms"], open_)
         if open_:
             return stale(fingerprint, open_, "")
-        return not_asked("No plan waits for a decision now.")
+        return not_asked(Sentence("No plan waits for a decision now."))
 
     def decided_first(self, signed: Signed) -> Reply:
         """Return that somebody else was quicker, by a decision that is being written down."""
@@ -98,7 +100,7 @@ def decision_of(event: AnyEvent) -> DecisionRecord | None:
 
 
 def _decided(who: str, verb: str, at_ms: Json, open_: str) -> Reply:
-    message = f"{who} {PAST.get(Verb(verb), verb)} this plan already; nothing was done."
+    message = Sentence(DECIDED.get(Verb(verb), DECIDED_OTHERWISE), who=who)
     return refusal(409, "decided", message, who=who, verb=verb, at_ms=at_ms, open=open_ or None)
 
 

@@ -16,6 +16,7 @@ from sitewright.interaction_twin.drawing.bars import Bar
 from sitewright.interaction_twin.event_document import event_document
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.narration import narrate
+from sitewright.interaction_twin.phrases import Phrasebook
 from sitewright.interaction_twin.replay_document import ReplaySource, replay_document
 from sitewright.interaction_twin.report.content import Stamped
 from sitewright.interaction_twin.report.timeline import timeline
@@ -32,7 +33,7 @@ def runs_document(project: Project) -> Document:
     return {"runs": [_row(project, folder) for folder in reversed(folders)]}
 
 
-def run_document(project: Project, run: str, labels: Labels) -> Document | None:
+def run_document(project: Project, run: str, labels: Labels, book: Phrasebook) -> Document | None:
     """Return one run with its events and its bars on the time axis; None if there is none."""
     folders = {f.run: f for f in run_folders(project.folder / "runs")}
     if run not in folders:
@@ -42,7 +43,7 @@ def run_document(project: Project, run: str, labels: Labels) -> Document | None:
     bars = timeline(s.event for s in stamped)
     return {
         **_row(project, folder),
-        "events": [event_document(run, s, labels) for s in stamped],
+        "events": [event_document(run, s, labels, book) for s in stamped],
         "planned": bars_document(bars.planned, labels),
         "actual": bars_document(bars.actual, labels),
     }

@@ -31,7 +31,7 @@ from sitewright.app.serving.side_work import (
     replay,
     why,
 )
-from sitewright.app.serving.telling import by_hand_document, ways_reply
+from sitewright.app.serving.telling import by_hand_document, retold_reply, ways_reply
 from sitewright.central_controller.codec import to_json
 from sitewright.central_controller.fingerprint import check_code
 from sitewright.central_controller.proposal import Proposal
@@ -213,9 +213,10 @@ class ProjectTwin:
         """Return all runs of the project."""
         return await self._side.do(all_runs, self._folder, self._cell_file)
 
-    async def run(self, run: str) -> Document | None:
+    async def run(self, run: str, language: str) -> Document | None:
         """Return one run with its events and bars."""
-        return await self._side.do(one_run, self._folder, self._cell_file, run)
+        book = self._book(language)
+        return await self._side.do(one_run, self._folder, self._cell_file, run, book)
 
     async def replay(self, run: str) -> Document | None:
         """Return everything that was sensed in a run."""
@@ -290,11 +291,10 @@ class ProjectTwin:
             "comes_before": [list(pair) for pair in graph.comes_before],
         }
 
-    def audit(self) -> Document:
+    def audit(self, language: str) -> Document:
         """Return all decisions, the newest first."""
-        found = (
-            audit_document(r.run, r.stamped, self._view.labels) for r in self._view.records.all()
-        )
+        labels, book = self._view.labels, self._book(language)
+        found = (audit_document(r.run, r.stamped, labels, book) for r in self._view.records.all())
         return {"entries": [entry for entry in found if entry is not None][::-1]}
 
     async def health(self) -> Document:
@@ -335,16 +335,19 @@ class ProjectTwin:
         if decision.verb is Verb.RESUME:
             await self._start_again()
         signed = Signed(decision=decision, person=person, body_sha256=body_sha256)
+        book = self._book(decision.language)
         reply = await self._link.ask("decide", {"signed": to_json(signed)})
+        reply = retold_reply(reply, self._view.labels, book)
         if reply.body.get("error") != "stale":
             return reply
-        return Reply(status=reply.status, body=await self._with_difference(reply.body))
+        return Reply(status=reply.status, body=await self._with_difference(reply.body, book))
 
     async def hold(self, decision: Decision, person: Person, body_sha256: str) -> Reply:
         """Stop the robots: the cell first, the journal after."""
         told = await self.feed.hold()
         signed = Signed(decision=decision, person=person, body_sha256=body_sha256)
         reply = await self._link.ask("hold", {"signed": to_json(signed)})
+        reply = retold_reply(reply, self._view.labels, self._book(decision.language))
         if reply.is_ok:
             self._view.hold_asked()
             self._tell_state()
@@ -354,7 +357,7 @@ class ProjectTwin:
         """Return what else could be done instead of the next step, in words."""
         reply = await self._link.ask("ways", {"fingerprint": fingerprint})
         if not reply.is_ok:
-            return reply
+            return retold_reply(reply, self._view.labels, self._book(language))
         return ways_reply(fingerprint, reply.body, self._view.labels, self._book(language))
 
     def by_hand(self, target: str, language: str) -> Document | None:
@@ -366,12 +369,12 @@ class ProjectTwin:
         """Return the sentences of a language; English for one that is not there."""
         return self._books.get(language, ENGLISH)
 
-    async def _with_difference(self, body: Mapping[str, Json]) -> Document:
+    async def _with_difference(self, body: Mapping[str, Json], book: Phrasebook) -> Document:
         shown, open_ = str(body.get("shown") or ""), str(body.get("open") or "")
         old, new = await self._find(shown), await self._find(open_)
         changed: list[Json] = []
         if old is not None and new is not None:
-            changed = differences(old[1], new[1], self._view.labels)
+            changed = differences(old[1], new[1], self._view.labels, book)
         open_now = {"fingerprint": open_, "code": check_code(open_)} if open_ else None
         return {**body, "open": open_now, "changed": changed}
 

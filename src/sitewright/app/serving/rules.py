@@ -21,6 +21,7 @@ from sitewright.central_controller.site_state import SiteState
 from sitewright.central_controller.steering import hand_facts
 from sitewright.foundation.canonical import canonical_json
 from sitewright.foundation.ids import ComponentId, ZoneId
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.decisions import Decision, Reply, Signed, refusal
 from sitewright.interaction_twin.policy import ApprovalPolicy
 from sitewright.interaction_twin.roles import Role, Verb
@@ -63,8 +64,7 @@ def site_objection(signed: Signed, site: SiteState) -> Reply | None:
         return _of_hand_work(signed, site)
     name = signed.decision.remove_zone
     if name and name not in site.zones:
-        drawn = ", ".join(site.zones) or "none"
-        message = f"Nobody drew a keep-out zone {name!r}; drawn are: {drawn}."
+        message = Sentence("Nobody drew {zone}; it cannot be taken away.", zone=name)
         return refusal(422, "fields", message)
     return None
 
@@ -127,7 +127,11 @@ def _of_step(step: int, request: ApprovalRequest) -> Reply | None:
     last = len(request.proposal.steps)
     if step <= last:
         return None
-    return refusal(422, "fields", f"The plan has steps 1 to {last}; there is no step {step}.")
+    return refusal(
+        422,
+        "fields",
+        Sentence("The plan has steps 1 to {last}; there is no step {step}.", last=last, step=step),
+    )
 
 
 def _of_scope(signed: Signed, request: ApprovalRequest) -> Reply | None:
@@ -135,10 +139,9 @@ def _of_scope(signed: Signed, request: ApprovalRequest) -> Reply | None:
     unknown = _of_step(scope.step, request)
     if unknown is not None or scope.covers(request.next_step):
         return unknown
-    what = "step" if scope.kind is ScopeKind.STEP else "part"
-    message = (
-        f"That {what} of the plan is not open; step {request.next_step} is next, "
-        "the ones before are done."
+    message = Sentence(
+        "That part of the plan is not open; step {step} is next, the ones before are done.",
+        step=request.next_step,
     )
     return refusal(409, "decided", message, next_step=request.next_step)
 
@@ -151,9 +154,12 @@ def _of_clearance(signed: Signed, request: ApprovalRequest, policy: ApprovalPoli
         closest_m = step.closest_distance_m
         is_asked = step.number >= request.next_step and scope.covers(step.number)
         if is_asked and closest_m is not None and closest_m < limit_m:
-            message = (
-                f"Only a supervisor may approve step {step.number}: clearance "
-                f"{closest_m * 1000.0:.0f} mm is under the policy's {limit_m * 1000.0:.0f} mm."
+            message = Sentence(
+                "Only a supervisor may approve step {step}: clearance {gap_mm:.0f} mm is under the "
+                "policy's {least_mm:.0f} mm.",
+                step=step.number,
+                gap_mm=closest_m * 1000.0,
+                least_mm=limit_m * 1000.0,
             )
             return refusal(403, "role", message, needs=Role.SUPERVISOR.value, step=step.number)
     return None
@@ -163,7 +169,9 @@ def _of_author(signed: Signed, review: Review) -> Reply | None:
     who = signed.person.who
     if not review.policy.prevent_self_review or who not in review.authors:
         return None
-    message = f"{who} asked for what this plan does; another person must approve it."
+    message = Sentence(
+        "{who} asked for what this plan does; another person must approve it.", who=who
+    )
     return refusal(403, "self-review", message, authors=sorted(review.authors))
 
 
@@ -174,9 +182,13 @@ def _of_first_ones(signed: Signed, request: ApprovalRequest, review: Review) -> 
     built = sum(review.types.get(t) == kind for t in request.site.installed)
     if signed.decision.scope.kind is ScopeKind.STEP or built >= wanted:
         return None
-    message = (
-        f"The first {wanted} of type {kind} are approved step by step ({built} are built); "
-        f"approve step {request.next_step} by itself."
+    message = Sentence(
+        "The first {wanted} of type {kind} are approved step by step ({built} are built); "
+        "approve step {step} by itself.",
+        wanted=wanted,
+        kind=kind,
+        built=built,
+        step=request.next_step,
     )
     return refusal(403, "step-by-step", message, next_step=request.next_step)
 
@@ -187,8 +199,10 @@ def _of_hand_work(signed: Signed, site: SiteState) -> Reply | None:
     wrong = [e for e in decision.effects if e not in possible]
     if not wrong:
         return None
-    message = (
-        f"{wrong[0]} cannot be vouched for: the piece of {decision.target} must be sensed in "
-        "place, and the work must be open."
+    message = Sentence(
+        "{fact} cannot be vouched for: the piece of {target} must be sensed in place, and the "
+        "work must be open.",
+        fact=wrong[0],
+        target=decision.target,
     )
     return refusal(422, "fields", message, possible=list(possible))

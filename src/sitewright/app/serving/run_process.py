@@ -13,6 +13,7 @@ from typing import Protocol
 
 from sitewright.app.serving.channel import Message, line_of
 from sitewright.foundation.canonical import Json
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.decisions import Reply, no_run
 
 _LONGEST_LINE = 4_000_000
@@ -67,7 +68,9 @@ class PipeLink:
         """Send a message and wait for its reply; a process that is gone is a 503."""
         writer = self._writer
         if writer is None or writer.is_closing():
-            return no_run("The process of the run is not there. Start `sitewright serve` again.")
+            return no_run(
+                Sentence("The process of the run is not there. Start `sitewright serve` again.")
+            )
         number = str(next(self._numbers))
         reply: asyncio.Future[Reply] = asyncio.get_running_loop().create_future()
         self._waiting[number] = reply
@@ -76,7 +79,7 @@ class PipeLink:
             await writer.drain()
             return await asyncio.wait_for(reply, _ANSWER_S)
         except (OSError, TimeoutError):
-            return no_run("The process of the run does not answer; nothing is known.")
+            return no_run(Sentence("The process of the run does not answer; nothing is known."))
         finally:
             self._waiting.pop(number, None)
 
@@ -100,7 +103,9 @@ class PipeLink:
         self._writer = None
         for reply in self._waiting.values():
             if not reply.done():
-                reply.set_result(no_run("The process of the run ended; nothing is known."))
+                reply.set_result(
+                    no_run(Sentence("The process of the run ended; nothing is known."))
+                )
         hear({"is": "run", "what": "gone"})
 
     def _pass_on(self, message: Mapping[str, Json]) -> None:

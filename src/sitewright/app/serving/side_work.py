@@ -66,10 +66,10 @@ def all_runs(folder: Path, cell: Path | None) -> Document:
     return runs_document(read_project(folder, cell=cell))
 
 
-def one_run(folder: Path, cell: Path | None, run: str) -> Document | None:
+def one_run(folder: Path, cell: Path | None, run: str, book: Phrasebook) -> Document | None:
     """Return a run with its events and bars."""
     project = read_project(folder, cell=cell)
-    return run_document(project, run, labels_of(project.model, project.cell))
+    return run_document(project, run, labels_of(project.model, project.cell), book)
 
 
 def replay(folder: Path, cell: Path | None, run: str) -> Document | None:

@@ -89,3 +89,14 @@ def way_document(way: Alternative) -> Json:
         "note": way.note,
         "note_told": parts_of(way.note) if isinstance(way.note, Sentence) else None,
     }
+
+
+def retold_reply(reply: Reply, labels: Labels, book: Phrasebook) -> Reply:
+    """Return an answer with its message in a language."""
+    parts = reply.body.get("message~")
+    if parts is None:
+        return reply
+    body = {k: v for k, v in reply.body.items() if k != "message~"}
+    return Reply(
+        status=reply.status, body={**body, "message": retold(sentence_of(parts), labels, book)}
+    )

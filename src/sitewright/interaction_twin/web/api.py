@@ -166,7 +166,7 @@ class Api:
         """Return one run with its events."""
         del person
         wanted = request.path_params["run"]
-        found = await self._twin.run(wanted)
+        found = await self._twin.run(wanted, _language(request))
         return answer(unknown("run", wanted)) if found is None else JSONResponse(found)
 
     async def replay(self, request: Request, person: Person) -> Response:
@@ -225,8 +225,8 @@ class Api:
 
     async def audit(self, request: Request, person: Person) -> Response:
         """Return who decided what, when, and what was seen."""
-        del request, person
-        return JSONResponse(self._twin.audit())
+        del person
+        return JSONResponse(self._twin.audit(_language(request)))
 
     async def health(self, request: Request, person: Person) -> Response:
         """Return how everything is."""

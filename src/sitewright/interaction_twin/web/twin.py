@@ -65,7 +65,7 @@ class Twin(Protocol):
         """Return all runs of the project."""
         ...
 
-    async def run(self, run: str) -> Document | None:
+    async def run(self, run: str, language: str) -> Document | None:
         """Return one run with its events and bars."""
         ...
 
@@ -101,7 +101,7 @@ class Twin(Protocol):
         """Return the construction relationship graph now."""
         ...
 
-    def audit(self) -> Document:
+    def audit(self, language: str) -> Document:
         """Return all decisions, the newest first."""
         ...
 

@@ -1,6 +1,6 @@
 // Audit and health: tables of what the server says.
 import { useEffect, useState } from "preact/hooks";
-import { ask } from "../state/server";
+import { ask, inLanguage } from "../state/server";
 import { checkCode } from "../state/check-code";
 import { atTime, inNumbers, inSeconds, say, sayCount, sayWord } from "../words/words";
 
@@ -41,7 +41,7 @@ function useAnswer<T>(path: string): [T | null, string] {
 }
 
 export function AuditScreen() {
-  const [answer, trouble] = useAnswer<{ entries: Entry[] }>("/api/audit");
+  const [answer, trouble] = useAnswer<{ entries: Entry[] }>(inLanguage("/api/audit"));
   return (
     <div class="sheet scroll" tabIndex={0} role="region" aria-label={say("nav.audit")}>
       <h2>{say("audit.title")}</h2>
