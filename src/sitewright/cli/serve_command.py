@@ -152,14 +152,20 @@ def _qr_code(text: str) -> str:
     show_default=True,
     help="The users file; made if it is not there.",
 )
+@click.option("--pin", "has_pin", is_flag=True, help="Ask for a PIN for shared tablets too.")
 @json_option
-def user(name: str, role: str, file: Path, is_json: bool) -> int:  # noqa: FBT001 -- click
+def user(name: str, role: str, file: Path, has_pin: bool, is_json: bool) -> int:  # noqa: FBT001 -- click
     """Add a person who may sign in at the page, and print the token, this once."""
     from sitewright.app.serving.users import new_user
     from sitewright.interaction_twin.roles import Role
 
     out = Output(is_json)
-    token = new_user(file, name, Role(role))
+    pin = ""
+    if has_pin:
+        pin = click.prompt(
+            "PIN (4 to 12 digits)", hide_input=True, confirmation_prompt=True, err=True
+        )
+    token = new_user(file, name, Role(role), pin=pin)
     out.line(f"Token of {name} ({role}), shown this once: {token}")
     out.line(f"Serve with: sitewright serve --users {file}")
     out.document("sitewright.user/1", {"name": name, "role": role, "token": token})

@@ -19,6 +19,7 @@ class ApprovalPolicy:
         look_below_m: Steps that come nearer than this are marked for a look.
         prevent_self_review: Who chose an action, asked for a motion, drew a zone or vouched for
             work may not approve the plan that comes of it.
+        asks_pin: Each decision at a page carries the PIN of who makes it.
         max_unstarted_s: An approval whose first step has not started after this is void.
         step_by_step_first_n_of_type: So many components of each type are approved one step at a
             time before a whole plan may be.
@@ -29,5 +30,6 @@ class ApprovalPolicy:
     supervisor_below_m: float = 0.0
     look_below_m: float = 0.020
     prevent_self_review: bool = False
+    asks_pin: bool = False
     max_unstarted_s: float = START_WITHIN_S
     step_by_step_first_n_of_type: int = 0

@@ -22,6 +22,7 @@ class _ApprovalTable(BaseModel):
     supervisor_below_mm: float = Field(default=0.0, ge=0.0, le=1_000.0)
     look_below_mm: float = Field(default=20.0, ge=0.0, le=1_000.0)
     prevent_self_review: bool = False
+    pin: bool = False
     max_unstarted_minutes: float = Field(default=10.0, gt=0.0, le=60.0)
     step_by_step_first_n_of_type: int = Field(default=0, ge=0, le=1_000)
 
@@ -43,8 +44,13 @@ def policy_of(settings: Mapping[str, Json], *, has_users: bool = True) -> Approv
     never = [v for v in table.two_person if v in _NEVER_TWO]
     if never:
         raise ProjectError(f"{SETTINGS}, [approval]: {never[0]} never waits for a second person.")
-    if (table.two_person or table.prevent_self_review) and not has_users:
-        rule = "two_person" if table.two_person else "prevent_self_review"
+    rules = {
+        "two_person": table.two_person,
+        "prevent_self_review": table.prevent_self_review,
+        "pin": table.pin,
+    }
+    rule = next((name for name, is_set in rules.items() if is_set), "")
+    if rule and not has_users:
         raise ProjectError(
             f"{SETTINGS}, [approval]: {rule} needs people who can be told apart. "
             "Add them with `sitewright user`, and serve with --users."
@@ -55,6 +61,7 @@ def policy_of(settings: Mapping[str, Json], *, has_users: bool = True) -> Approv
         supervisor_below_m=table.supervisor_below_mm / _MM,
         look_below_m=table.look_below_mm / _MM,
         prevent_self_review=table.prevent_self_review,
+        asks_pin=table.pin,
         max_unstarted_s=table.max_unstarted_minutes * 60.0,
         step_by_step_first_n_of_type=table.step_by_step_first_n_of_type,
     )

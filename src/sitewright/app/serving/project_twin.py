@@ -109,6 +109,11 @@ class ProjectTwin:
         )
         self._scenes = SceneShelf(self.feed)
 
+    @property
+    def asks_pin(self) -> bool:
+        """Whether each decision at a page must carry the PIN of who makes it."""
+        return self._policy.asks_pin
+
     async def start(self) -> None:
         """Start the process of the run."""
         await self._link.start(self._hear)

@@ -25,6 +25,7 @@ from sitewright.app.serving.reached import Tls, listening, place_of
 from sitewright.app.serving.run_process import RunLink, RunProcess
 from sitewright.app.serving.users import read_users
 from sitewright.interaction_twin.web.hub import Hub
+from sitewright.interaction_twin.web.pins import Pins
 from sitewright.interaction_twin.web.sessions import Sessions
 from sitewright.interaction_twin.web.site import application
 
@@ -110,7 +111,8 @@ class PageServer:
         with listening(options.host, options.port) as listener:
             port = int(listener.getsockname()[1])
             place = place_of(options.host, port, is_secure=options.tls is not None)
-            app = application(twin, sessions, hub, place=place)
+            pins = Pins(users, clock) if twin.asks_pin else None
+            app = application(twin, sessions, hub, place=place, pins=pins)
             address = Address(port=port, url=f"{place.origin}/#token={sessions.invite()}")
             config = _config(app, options.tls)
             self._server = EndingServer(config, lambda: on_ready(address))

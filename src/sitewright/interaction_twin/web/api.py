@@ -13,6 +13,7 @@ from sitewright.foundation.canonical import Json
 from sitewright.interaction_twin.decisions import Decision, Reply, body_hash, refusal
 from sitewright.interaction_twin.languages import PHRASEBOOKS
 from sitewright.interaction_twin.roles import NEEDED_ROLE, Person, Role, Verb
+from sitewright.interaction_twin.web.pins import Pins
 from sitewright.interaction_twin.web.place import Place
 from sitewright.interaction_twin.web.requests import (
     BadRequestError,
@@ -38,8 +39,10 @@ _REPORT_POLICY = "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors
 class Api:
     """Everything under ``/api``; each method answers one route of `ROUTES`."""
 
-    def __init__(self, twin: Twin, sessions: Sessions, place: Place) -> None:
-        self._twin, self._sessions, self._place = twin, sessions, place
+    def __init__(
+        self, twin: Twin, sessions: Sessions, place: Place, pins: Pins | None = None
+    ) -> None:
+        self._twin, self._sessions, self._place, self._pins = twin, sessions, place, pins
 
     @property
     def cookie(self) -> str:
@@ -94,8 +97,10 @@ class Api:
         return JSONResponse({"ticket": self._sessions.ticket_for(person), "expires_s": 30})
 
     def _about(self, person: Person) -> Mapping[str, Any]:
-        verbs = [v.value for v in Verb if person.role.may(NEEDED_ROLE[v])]
+        verbs = [v.value for v in Verb if self._pins or person.role.may(NEEDED_ROLE[v])]
         return {
+            "asks_pin": self._pins is not None,
+            "people": list(self._pins.people) if self._pins else [],
             "who": person.who,
             "role": person.role.value,
             "can": verbs,
@@ -128,7 +133,7 @@ class Api:
         if found is None:
             return answer(unknown("proposal", wanted))
         allowed = {
-            v.value: True if person.role.may(NEEDED_ROLE[v]) else _only(NEEDED_ROLE[v])
+            v.value: bool(self._pins) or person.role.may(NEEDED_ROLE[v]) or _only(NEEDED_ROLE[v])
             for v in Verb
         }
         return JSONResponse({**found, "decisions_allowed": allowed})
@@ -238,10 +243,24 @@ class Api:
     async def decide(self, request: Request, person: Person) -> Response:
         """Pass a decision to the run; the answer is 200 only when it is on the disk."""
         raw = await request.body()
-        decision = decision_from(read_body(DecisionBody, raw))
+        body = read_body(DecisionBody, raw)
+        decision, named = decision_from(body), await self._named(request, person, body)
+        if isinstance(named, Reply):
+            return answer(named)
+        person = named
         if not person.role.may(needed := NEEDED_ROLE[decision.verb]):
             return answer(_not_your_role(decision, needed))
         return answer(await self._twin.decide(decision, person, _hash(raw, person)))
+
+    async def _named(self, request: Request, person: Person, body: DecisionBody) -> Person | Reply:
+        """Return who decides: by PIN if the project asks for one; programs have their tokens."""
+        if self._pins is None:
+            if body.pin or body.by:
+                return refusal(422, "fields", "This project asks for no PIN; send none.")
+            return person
+        if request.headers.get("authorization", ""):
+            return person
+        return await self._pins.person(body.by or person.who, body.pin, person.session)
 
     async def hold(self, request: Request, person: Person) -> Response:
         """Stop the robots."""
@@ -269,7 +288,7 @@ def _only(needed: Role) -> str:
 
 
 def _hash(raw: bytes, person: Person) -> str:
-    content: Mapping[str, Json] = json.loads(raw)
+    content = {k: v for k, v in json.loads(raw).items() if k != "pin"}  # a hash would tell it
     return body_hash(content, person.who)
 
 

@@ -27,6 +27,7 @@ _Id = Annotated[str, Field(max_length=200)]
 _Coordinate = Annotated[float, Field(ge=-1_000.0, le=1_000.0)]
 _Edge = Annotated[float, Field(ge=0.01, le=100.0)]
 _Key = Annotated[str, Field(min_length=8, max_length=100)]
+PIN = r"^([0-9]{4,12})?$"
 _Body = TypeVar("_Body", bound=BaseModel)
 
 
@@ -100,6 +101,8 @@ class DecisionBody(_Strict):
     zone: ZoneBody | None = None
     target: _Id = ""
     effects: Annotated[list[_Id], Field(max_length=200)] = []
+    by: _Id = ""
+    pin: Annotated[str, Field(pattern=PIN)] = ""
 
 
 class HoldBody(_Strict):

@@ -25,11 +25,13 @@ class User:
 
     Attributes:
         token_sha256: Of a token of 256 random bits; the token itself is kept nowhere.
+        pin_scrypt: Salt and hash of the PIN; empty if there is none.
     """
 
     name: str
     role: Role
     token_sha256: str
+    pin_scrypt: str = ""
 
 
 @dataclass

@@ -16,6 +16,7 @@ from sitewright.interaction_twin.decisions import refusal
 from sitewright.interaction_twin.web.api import Api, answer
 from sitewright.interaction_twin.web.gate import Gate
 from sitewright.interaction_twin.web.hub import Hub
+from sitewright.interaction_twin.web.pins import Pins
 from sitewright.interaction_twin.web.place import Place
 from sitewright.interaction_twin.web.requests import BadRequestError
 from sitewright.interaction_twin.web.routes import ROUTES, ApiRoute
@@ -33,6 +34,7 @@ def application(
     hub: Hub,
     *,
     place: Place,
+    pins: Pins | None = None,
 ) -> ASGIApp:
     """Return the whole server.
 
@@ -41,8 +43,9 @@ def application(
         sessions: Who is signed in.
         hub: The pages that are connected.
         place: Where it is reached.
+        pins: Names who decides; None if whoever is signed in does.
     """
-    api = Api(twin, sessions, place)
+    api = Api(twin, sessions, place, pins)
     socket = Socket(twin, sessions, hub)
     routes = [Route(r.path, _endpoint(api, r), methods=[r.method]) for r in ROUTES]
     app = Starlette(

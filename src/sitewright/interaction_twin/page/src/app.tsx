@@ -5,6 +5,7 @@ import { Banners } from "./parts/banners";
 import { Fence } from "./parts/fence";
 import { Header } from "./parts/header";
 import { shownPicture } from "./parts/picture-view";
+import { PinDialog } from "./parts/pin-dialog";
 import { ZoneDialog } from "./parts/zone-dialog";
 import { mark } from "./marks";
 import { AuditScreen, HealthScreen } from "./screens/records";
@@ -29,6 +30,7 @@ function Page() {
       </Fence>
       <footer class="safety">{say("safety")}</footer>
       <ZoneDialog />
+      <PinDialog />
     </div>
   );
 }

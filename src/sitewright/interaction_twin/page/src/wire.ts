@@ -296,6 +296,9 @@ export interface Session {
   can: string[];
   is_simulation?: boolean;
   languages?: string[];
+  /** Each decision carries the name and the PIN of who makes it. */
+  asks_pin?: boolean;
+  people?: string[];
 }
 
 export interface Bar {

@@ -4,7 +4,7 @@ import { language, say } from "../words/words";
 import type { Call } from "../wire";
 import { ask, NoAnswerError, RefusedError } from "./server";
 import { loadProposal } from "./start";
-import { isReachable, proposal, result, type Result } from "./store";
+import { isReachable, proposal, result, session, type Result } from "./store";
 
 export interface Decision {
   fingerprint: string;
@@ -25,7 +25,16 @@ export interface Decision {
   shown?: string[];
 }
 
-type Sent = Decision & { key: string; lang: string };
+/** Who decides at a shared tablet. */
+export interface Signature {
+  by: string;
+  pin: string;
+}
+
+type Sent = Decision & Partial<Signature> & { key: string; lang: string };
+
+/** Somebody must say who decides; `give` gets it, or null if nobody does. */
+export const signatureWanted = signal<{ give: (signature: Signature | null) => void } | null>(null);
 
 export const isSending = signal(false);
 
@@ -37,8 +46,21 @@ interface Recorded {
 
 /** Sends a decision; the key is made here, once per press. */
 export async function decide(decision: Decision): Promise<boolean> {
-  if (!isReachable.value || isSending.value) return false;
-  return send({ ...decision, key: crypto.randomUUID(), lang: language.value });
+  if (!isReachable.value || isSending.value || signatureWanted.value !== null) return false;
+  const signature = session.value?.asks_pin === true ? await signed() : {};
+  if (signature === null || !isReachable.value) return false;
+  return send({ ...decision, ...signature, key: crypto.randomUUID(), lang: language.value });
+}
+
+function signed(): Promise<Signature | null> {
+  return new Promise((resolve) => {
+    signatureWanted.value = {
+      give: (signature) => {
+        signatureWanted.value = null;
+        resolve(signature);
+      },
+    };
+  });
 }
 
 async function send(body: Sent): Promise<boolean> {

@@ -305,6 +305,8 @@ export const de: Words = {
   "sign-in.token": "Token",
   "sign-in.go": "Anmelden",
   "sign-in.or": "Oder melden Sie sich mit Name und eigenem Token an:",
+  "pin.title": "Wer entscheidet?",
+  "pin.pin": "PIN",
   "loading": "Lädt …",
   "failed": "Das ging nicht: {reason}",
 };

@@ -304,6 +304,8 @@ export const en = {
   "sign-in.token": "Token",
   "sign-in.go": "Sign in",
   "sign-in.or": "Or sign in with a name and a token of your own:",
+  "pin.title": "Who decides?",
+  "pin.pin": "PIN",
   "loading": "Loading …",
   "failed": "That did not work: {reason}",
 };

@@ -305,6 +305,8 @@ export const es: Words = {
   "sign-in.token": "Token",
   "sign-in.go": "Entrar",
   "sign-in.or": "O entre con su nombre y su propio token:",
+  "pin.title": "¿Quién decide?",
+  "pin.pin": "PIN",
   "loading": "Cargando …",
   "failed": "No funcionó: {reason}",
 };

@@ -305,6 +305,8 @@ export const zh: Words = {
   "sign-in.token": "令牌",
   "sign-in.go": "登录",
   "sign-in.or": "或用姓名和自己的令牌登录：",
+  "pin.title": "由谁决定？",
+  "pin.pin": "PIN 码",
   "loading": "正在载入……",
   "failed": "未能完成：{reason}",
 };
