@@ -140,7 +140,8 @@ def test_how_a_tool_leans_and_where_a_gripper_holds_is_told() -> None:
 def test_refusals_about_the_step_come_before_those_of_others_and_none_is_left_out() -> None:
     mine, other = note("kr120-b cannot take thin.5: too far"), note("kr120-b cannot reach n1: no")
     lines = explanation(reasons(2, piece=PIECE, refusals=(other, mine)), LABELS)
-    assert lines.index(f"  {mine.reason}") < lines.index(f"  {other.reason}")
+    first, second = (f"  {LABELS.told(n.reason)}" for n in (mine, other))  # with names, no ids
+    assert lines.index(first) < lines.index(second)
     assert "  nothing was refused on the way to this plan" not in lines
     assert "  nothing was refused on the way to this plan" in explanation(reasons(2), LABELS)
 

@@ -14,6 +14,7 @@ from sitewright.central_controller.events import (
 )
 from sitewright.central_controller.ports import Answer
 from sitewright.central_controller.site_fold import places_after
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.driver import SkillReport
 
 SkillEvent = SkillIntent | SkillOutcome | SkillReconciled | SkillReissued
@@ -103,7 +104,10 @@ def answered(state: CycleState, answer: Answer) -> CycleState:
             return _stayed(_not_done(state, flight), flight)
         case Answer.PARTIAL:
             state = _stayed(_not_done(state, flight), flight)
-            why = f"{' '.join(flight.intent.call.arguments)} was left half done; rework it by hand."
+            why = Sentence(
+                "{spot} was left half done; rework it by hand.",
+                spot=(flight.intent.call.arguments or (flight.intent.target,))[0],
+            )
             rework = {**state.site.needs_rework, flight.intent.target: why}
             return replace(state, site=replace(state.site, needs_rework=rework))
 

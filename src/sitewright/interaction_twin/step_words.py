@@ -9,10 +9,13 @@ from collections.abc import Iterator, Sequence
 from sitewright.central_controller.causes import is_asked_for
 from sitewright.central_controller.doers import Doer
 from sitewright.central_controller.fingerprint import check_code
+from sitewright.central_controller.ports import RefusalNote
+from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import in_millimetres, in_seconds
 from sitewright.interaction_twin.narration import fact_in_words, narrate
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
+from sitewright.interaction_twin.retelling import retold
 from sitewright.interaction_twin.step_reasons import StepReasons
 from sitewright.planning_twin.motion import PlannedMotion
 from sitewright.robot_team.skill import Skill
@@ -53,8 +56,8 @@ class _Words:
             piece = self.labels.name(r.piece)
             yield from self._titled(self._say("piece", piece=piece), self._piece())
         yield from self._titled(self._say("how"), self._how())
-        yield from self._titled(self._say("refused"), (n.reason for n in r.own_refusals))
-        yield from self._titled(self._say("refused-other"), (n.reason for n in r.other_refusals))
+        yield from self._titled(self._say("refused"), map(self._refusal, r.own_refusals))
+        yield from self._titled(self._say("refused-other"), map(self._refusal, r.other_refusals))
         if not r.refusals:
             yield f"  {self._say('nothing')}"
 
@@ -137,9 +140,9 @@ class _Words:
         ]
         buried = [self.labels.name(p.piece) for p in r.pieces if p.under]
         if farther:
-            yield self._say("farther", pieces=_some(farther))
+            yield self._say("farther", pieces=self._some(farther))
         if buried:
-            yield self._say("buried", pieces=_some(buried))
+            yield self._say("buried", pieces=self._some(buried))
 
     def _how(self) -> Iterator[str]:
         r = self.reasons
@@ -150,9 +153,9 @@ class _Words:
             is_move = r.step.call.skill in (Skill.REACH, Skill.RETRACT)
             yield self._say("joined" if is_move else "still")
         yield from self._stance()
-        touching = [" and ".join(map(self.labels.name, pair)) for pair in r.step.contacts]
+        touching = [self._together(pair) for pair in r.step.contacts]
         if touching:
-            yield self._say("touch", pairs=_some(touching))
+            yield self._say("touch", pairs=self._some(touching))
 
     def _motion(self, motion: PlannedMotion) -> Iterator[str]:
         proof = motion.certificate
@@ -160,7 +163,7 @@ class _Words:
             yield self._say(
                 "closest",
                 distance=in_millimetres(proof.closest_distance_m),
-                pair=" and ".join(map(self.labels.name, proof.closest_pair)),
+                pair=self._together(proof.closest_pair),
                 clearance=in_millimetres(proof.clearance_m),
             )
         yield self._say(
@@ -189,6 +192,19 @@ class _Words:
                 angle=_degrees(stance.from_above_rad),
             )
 
+    def _refusal(self, note: RefusalNote) -> str:
+        return retold(note.reason, self.labels, self.book)
+
+    def _together(self, names: Sequence[str]) -> str:
+        return self.book.told.get(" and ", " and ").join(map(self.labels.name, names))
+
+    def _some(self, names: Sequence[str]) -> str:
+        listed = self.book.told.get(", ", ", ").join(names[:_MOST])
+        if len(names) <= _MOST:
+            return listed
+        more = Sentence("{names} and {count} more", names=listed, count=len(names) - _MOST)
+        return retold(more, self.labels, self.book)
+
     def _say(self, key: str, **words: object) -> str:
         return self.book.step[key].format(**words)
 
@@ -202,11 +218,6 @@ class _Words:
 
 def _listed(numbers: Sequence[int]) -> str:
     return ", ".join(map(str, numbers))
-
-
-def _some(names: Sequence[str]) -> str:
-    more = f" and {len(names) - _MOST} more" if len(names) > _MOST else ""
-    return f"{', '.join(names[:_MOST])}{more}"
 
 
 def _degrees(angle_rad: float) -> str:

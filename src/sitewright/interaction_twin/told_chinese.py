@@ -342,4 +342,6 @@ TOLD_CHINESE: Mapping[str, str] = {
     "The process of the run ended; nothing is known.": "运行的进程已结束；情况不明。",
     "{who} asked for what this plan does; another person must approve it.": "该方案是应 {who} 的要求而做的；必须由另一人批准。",
     "The first {wanted} of type {kind} are approved step by step ({built} are built); approve step {step} by itself.": "{kind} 类的前 {wanted} 个须逐步批准（已建 {built} 个）；请单独批准第 {step} 步。",
+    "{spot} was left half done; rework it by hand.": "{spot}只做了一半；请人工返工。",
+    "{names} and {count} more": "{names} 等另外 {count} 个",
 }

@@ -419,4 +419,6 @@ TOLD_GERMAN: Mapping[str, str] = {
     "The process of the run ended; nothing is known.": "Der Prozess des Laufs ist zu Ende; es ist nichts bekannt.",
     "{who} asked for what this plan does; another person must approve it.": "{who} hat verlangt, was dieser Plan tut; jemand anders muss ihn freigeben.",
     "The first {wanted} of type {kind} are approved step by step ({built} are built); approve step {step} by itself.": "Die ersten {wanted} der Art {kind} werden Schritt für Schritt freigegeben ({built} sind gebaut); bitte Schritt {step} für sich freigeben.",
+    "{spot} was left half done; rework it by hand.": "{spot} ist nur halb getan; bitte von Hand nacharbeiten.",
+    "{names} and {count} more": "{names} und {count} weitere",
 }

@@ -342,4 +342,6 @@ TOLD_SPANISH: Mapping[str, str] = {
     "The process of the run ended; nothing is known.": "El proceso de la ejecución terminó; no se sabe nada.",
     "{who} asked for what this plan does; another person must approve it.": "{who} pidió lo que hace este plan; otra persona debe aprobarlo.",
     "The first {wanted} of type {kind} are approved step by step ({built} are built); approve step {step} by itself.": "Los primeros {wanted} del tipo {kind} se aprueban paso a paso ({built} construidos); apruebe solo el paso {step}.",
+    "{spot} was left half done; rework it by hand.": "{spot} quedó a medias; hay que rehacerlo a mano.",
+    "{names} and {count} more": "{names} y {count} más",
 }

@@ -1,5 +1,5 @@
 // Who, where, and whether what is shown is true now.
-import { say, chooseLanguage, language, LANGUAGES, type Language } from "../words/words";
+import { inNumbers, say, chooseLanguage, language, LANGUAGES, type Language } from "../words/words";
 import { age_s, link, proposal, run, scene, screen, session, type Screen } from "../state/store";
 
 const SCREENS: readonly Screen[] = ["cell", "building", "runs", "audit", "health"];
@@ -60,7 +60,7 @@ function Headline() {
 
 function LinkChip() {
   const isAbsent = run.value?.cell === "absent" && link.value !== "lost";
-  const words = isAbsent ? say("link.absent") : say(`link.${link.value}`, { seconds: age_s.value.toFixed(1) });
+  const words = isAbsent ? say("link.absent") : say(`link.${link.value}`, { seconds: inNumbers(age_s.value, 1) });
   return (
     <p class={`chip ${isAbsent ? "stale" : link.value}`} data-link={link.value}>
       <span class="dot" aria-hidden="true" />

@@ -28,7 +28,7 @@ import {
   step,
   time_s,
 } from "../state/store";
-import { say } from "../words/words";
+import { inNumbers, say } from "../words/words";
 import { isFrozen, mark, measured, pixelRatio } from "../marks";
 import { standingIds } from "../state/building";
 import { isDrawingZone, zoneCentre, zoneSize } from "./zone-dialog";
@@ -91,7 +91,7 @@ function Notice() {
   }
   if (isRehearsed()) return <p class="over">{say(mode.value === "replay" ? "picture.replay" : "picture.preview")}</p>;
   if (screen.value === "building" || !isOld() || link.value === "lost" || link.value === "connecting") return null;
-  return <p class="over old">◷ {say("picture.stale", { seconds: age_s.value.toFixed(1) })}</p>;
+  return <p class="over old">◷ {say("picture.stale", { seconds: inNumbers(age_s.value, 1) })}</p>;
 }
 
 function Modes() {
