@@ -50,11 +50,13 @@ class HeldCheck:
         ways: So many ways to hold it: grasp and posture.
         posts: So many postures of tools that nothing but the holder could be in the way of.
         enough: So many of the ways let enough fasteners be driven.
+        grasps: piece_T_tip of each grasp, and whether one of its ways is among those.
     """
 
     ways: int
     posts: int
     enough: int
+    grasps: tuple[tuple[Array, bool], ...]
 
     @property
     def is_impossible(self) -> bool:
@@ -78,14 +80,18 @@ def held_check(
     forced = {o.id for o in operations if o.needs_hold}
     needed = max(act.component.hold_until_fasteners, len(forced))
     ways = most_posts = enough = 0
+    grasps: list[tuple[Array, bool]] = []
     for holder, gripper in act.tools(EndEffectorKind.GRIPPER):
         posts = {o.id: list(act.posts(holder, o, quarter_turns=quarter_turns)) for o in operations}
         most_posts = max(most_posts, sum(map(len, posts.values())))
-        for held in act.holds(holder, gripper, every):
-            ways += 1
-            free = {o for o, some in posts.items() if any(act.is_free(p, held) for p in some)}
-            enough += len(free) >= needed and forced <= free
-    return HeldCheck(ways, most_posts, enough)
+        for grasp in list(_grasps(act.component, gripper))[::every]:
+            before = enough
+            for held in act.holds(holder, gripper, *grasp):
+                ways += 1
+                free = {o for o, some in posts.items() if any(act.is_free(p, held) for p in some)}
+                enough += len(free) >= needed and forced <= free
+            grasps.append((grasp[1], enough > before))
+    return HeldCheck(ways, most_posts, enough, tuple(grasps))
 
 
 class _Space:
@@ -163,7 +169,7 @@ class _Act:
             component = project.model.component_by_id[name]
             self._still[name] = matrix(project.cell.world_T_model @ component.world_T_component)
         self._space = _Space(self._shapes())
-        self._never: dict[str, set[frozenset[str]]] = {}
+        self._own: dict[tuple[str, str], Pairs] = {}
 
     def tools(self, kind: EndEffectorKind) -> Iterator[tuple[Robot, EndEffector]]:
         """Yield robots with their end effectors of one kind."""
@@ -173,8 +179,10 @@ class _Act:
                 if tool.kind is kind:
                     yield robot, tool
 
-    def holds(self, robot: Robot, gripper: EndEffector, every: int) -> Iterator[Frames]:
-        """Yield an arm that holds the piece, for each way that meets nothing of the act."""
+    def holds(
+        self, robot: Robot, gripper: EndEffector, width_m: float, piece_T_tip: Array
+    ) -> Iterator[Frames]:
+        """Yield an arm that holds the piece by a grasp, for each posture that meets nothing."""
         piece, parents = self.component.id, self.component.construction_parents
         pairs = self._own_pairs(robot, gripper)
         for name in self._bodies(robot, gripper):
@@ -184,11 +192,10 @@ class _Act:
                     continue  # rigid to one another
                 keeps_m = _NEIGHBOUR_M if is_hand and other in parents else self.clearance_m
                 pairs.append((name, other, keeps_m))
-        for width_m, piece_T_tip in list(_grasps(self.component, gripper))[::every]:
-            tip = self._still[piece] @ piece_T_tip
-            for frames in self._standing(robot, gripper, tip, width_m):
-                if self._space.too_near(pairs, self._still, frames) is None:
-                    yield frames
+        tip = self._still[piece] @ piece_T_tip
+        for frames in self._standing(robot, gripper, tip, width_m):
+            if self._space.too_near(pairs, self._still, frames) is None:
+                yield frames
 
     def posts(self, holder: Robot, operation: Operation, *, quarter_turns: bool) -> Iterator[_Post]:
         """Yield every arm at a fastener that meets nothing of the act but who holds the piece."""
@@ -266,7 +273,13 @@ class _Act:
         return {f"{robot.id}/{name}" for name in found}
 
     def _own_pairs(self, robot: Robot, tool: EndEffector) -> Pairs:
-        """Return the pairs of one arm that some posture keeps apart."""
+        """Return the pairs of one arm that some posture keeps apart; the list is the caller's."""
+        key = (robot.id, tool.id)
+        if key not in self._own:
+            self._own[key] = self._apart(robot, tool)
+        return list(self._own[key])
+
+    def _apart(self, robot: Robot, tool: EndEffector) -> Pairs:
         hand = {n for n in self._with_shape(robot, tool) if n.startswith(f"{tool.id}:")}
         rigid = hand | self._last_links(robot)
         joined = {
