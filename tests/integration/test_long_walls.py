@@ -22,6 +22,11 @@ def ways_m(proposal: Proposal) -> dict[str, float]:
     return found
 
 
+def pieces(proposal: Proposal) -> list[str]:
+    """Return what is taken."""
+    return [s.call.arguments[0] for s in proposal.steps if s.call.skill == "grasp"]
+
+
 def test_robots_on_a_long_track_stay_where_the_work_is() -> None:
     report = plan_project(long_wall(3 * BAYS), "bay-000.stud-2")
     assert report.targets_planned == 5
@@ -29,9 +34,10 @@ def test_robots_on_a_long_track_stay_where_the_work_is() -> None:
     first_nailed = 2
     for number, planned in enumerate(report.planned):
         way_m = ways_m(planned.proposal)
-        assert way_m["kr120-a"] < 6.0 * BAY_M, planned.proposal.target
+        assert way_m["kr120-a"] < 4.0 * BAY_M, planned.proposal.target
         if number > first_nailed:
-            assert way_m["kr120-b"] < 6.0 * BAY_M, planned.proposal.target
+            assert way_m["kr120-b"] < 4.0 * BAY_M, planned.proposal.target
+        assert {piece.split(".")[0] for piece in pieces(planned.proposal)} == {"bay-000"}
     ends = {
         step.call.robot: step.call.arguments
         for step in report.planned[-1].proposal.steps

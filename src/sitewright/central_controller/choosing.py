@@ -62,7 +62,8 @@ class PieceOnSite:
     """A piece of stock that is right for a target.
 
     Attributes:
-        distance_m: From the middle of its box to the nearest foot of a robot that may grasp.
+        distance_m: From the nearest base of a robot that may grasp to the middle of its box; for
+            a robot that waits along its rails, from where it stands and on to the target.
         under: What lies on it; empty if it can be taken now.
     """
 
@@ -76,11 +77,11 @@ def pieces_for(
 ) -> tuple[PieceOnSite, ...]:
     """Return all pieces that are right for a target, buried ones too, the nearest first."""
     wanted = target_node(graph, target).material_type
-    feet_m = _feet_m(design, context)
+    ways = _ways_from(design, context, target)
     found = [
         PieceOnSite(
             piece=node.id,
-            distance_m=_distance(feet_m, context, node.id),
+            distance_m=_distance(ways, context, node.id),
             under=children(graph, node.id),
         )
         for node in materials(graph)
@@ -100,8 +101,8 @@ def choices_of_pieces(
     accessible = wanted_pieces(found, context.site.rejections)
     if held := _held(design, graph, context, target):
         return [held]
-    feet_m = _feet_m(design, context)
-    ordered = sorted(accessible, key=lambda m: (_distance(feet_m, context, m), m))
+    ways = _ways_from(design, context, target)
+    ordered = sorted(accessible, key=lambda m: (_distance(ways, context, m), m))
     return [tuple(ordered[:k]) for k in range(1, len(ordered) + 1)] or [()]
 
 
@@ -115,16 +116,35 @@ def _held(
     return tuple(c.id for c in pieces if fits(material_type_of(c), wanted))
 
 
-def _feet_m(design: Design, context: SiteContext) -> list[Vector]:
-    """Return where the robots stand that may grasp; one that waits along its rails, as sensed."""
+def _ways_from(
+    design: Design, context: SiteContext, target: ComponentId
+) -> list[tuple[Vector, Vector | None]]:
+    """Return where each robot stands that may grasp, and where it has to go with the piece.
+
+    That it goes anywhere counts only for one that waits along its rails; it stands where it is
+    sensed, all others at their base.
+    """
     robots = [r for r in design.cell.robot_by_id.values() if Capability.GRASPING in r.can]
     seen = context.observation.robots
-    return [foot_m(r, seen[r.id].q_rad if r.id in seen else r.home_q_rad) for r in robots]
+    belongs_m = design.world_T_target(target).position_m
+    return [
+        (
+            foot_m(r, seen[r.id].q_rad if r.id in seen else r.home_q_rad),
+            belongs_m if r.waits_along_rails else None,
+        )
+        for r in robots
+    ]
 
 
-def _distance(feet_m: Sequence[Vector], context: SiteContext, piece: ComponentId) -> float:
-    """Return the distance from the nearest foot to the middle of a piece's box."""
+def _distance(
+    ways: Sequence[tuple[Vector, Vector | None]], context: SiteContext, piece: ComponentId
+) -> float:
+    """Return the shortest way of a robot to the middle of a piece's box, and on to the target."""
     pose = context.observation.world_T_piece.get(piece)
-    if pose is None or not feet_m:
+    if pose is None or not ways:
         return float("inf")
-    return min(distance(pose.position_m, foot) for foot in feet_m)
+    at_m = pose.position_m
+    return min(
+        distance(at_m, foot) + (0.0 if belongs is None else distance(at_m, belongs))
+        for foot, belongs in ways
+    )

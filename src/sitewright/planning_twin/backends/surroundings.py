@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from sitewright.foundation.ids import BodyId, RobotId
-from sitewright.foundation.pose import norm
+from sitewright.foundation.pose import Pose, norm
 from sitewright.foundation.shapes import Shape
 from sitewright.planning_twin.backends.identity_cache import IdentityCache
 from sitewright.planning_twin.backends.kinematic_chain import (
@@ -106,7 +106,7 @@ class SceneParts:
 
     def __init__(self) -> None:
         self._rider_of = IdentityCache(_rider, size=_ARMS_REMEMBERED)
-        self._radius_of = IdentityCache(_radius_m, size=_SHAPES_REMEMBERED)
+        self._radius_of: dict[int, tuple[Shape, float]] = {}
         self._still_of = IdentityCache(self._still, size=_REMEMBERED)
         self._known_of = IdentityCache(self._nothing_known, size=4 * _REMEMBERED)
 
@@ -160,18 +160,23 @@ class SceneParts:
         return Surroundings(replace(scene, bodies=bodies), int(is_far.sum()), beyond_m)
 
     def _still(self, bodies: Mapping[BodyId, Body]) -> _Still:
-        ids, centres, radii = [], [], []
-        for body in bodies.values():
-            if not isinstance(body.placement, Attachment) and body.shape:
-                ids.append(body.id)
-                centres.append(body.placement.position_m)
-                radii.append(self._radius_of(body.shape))
+        still = [b for b in bodies.values() if b.shape and isinstance(b.placement, Pose)]
+        centres = [b.placement.position_m for b in still if isinstance(b.placement, Pose)]
         return _Still(
-            ids=tuple(ids),
+            ids=tuple(b.id for b in still),
             centre_m=np.array(centres, dtype=np.float64).reshape(-1, 3),
-            radius_m=np.array(radii),
+            radius_m=np.array([self._radius_m(b.shape) for b in still]),
             parts={},
         )
+
+    def _radius_m(self, shape: Shape) -> float:
+        """Return the radius of a shape's ball; shapes live long, and hashing one takes longer."""
+        known = self._radius_of.get(id(shape))
+        if known is None:
+            if len(self._radius_of) >= _SHAPES_REMEMBERED:
+                self._radius_of.clear()
+            known = self._radius_of[id(shape)] = (shape, _radius_m(shape))
+        return known[1]
 
 
 def whole(scene: SceneSnapshot) -> Surroundings:
