@@ -37,7 +37,7 @@ def test_robots_on_a_long_track_stay_where_the_work_is() -> None:
         assert way_m["kr120-a"] < 4.0 * BAY_M, planned.proposal.target
         if number > first_nailed:
             assert way_m["kr120-b"] < 4.0 * BAY_M, planned.proposal.target
-        assert {piece.split(".")[0] for piece in pieces(planned.proposal)} == {"bay-000"}
+        assert {p.split(".")[0] for p in pieces(planned.proposal)} <= {"bay-000", "bay-001"}
     ends = {
         step.call.robot: step.call.arguments
         for step in report.planned[-1].proposal.steps
