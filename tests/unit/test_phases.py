@@ -1,13 +1,14 @@
-"""What a page says that a run does: never that it waits before an answer would be heard."""
+"""What a page says that a run does, and why it asks anew."""
 
 from __future__ import annotations
 
 import pytest
 
 from builders_words import CALLS, STUD
+from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
-from sitewright.central_controller.events import ProposalMade, StepSummary
-from sitewright.central_controller.site_state import SiteState
+from sitewright.central_controller.events import ApprovalRejected, ProposalMade, StepSummary
+from sitewright.central_controller.site_state import Rejection, SiteState
 from sitewright.interaction_twin.state_document import Phase, Standing, asked_plan, phase_of
 
 PLAN = "f" * 64
@@ -33,3 +34,12 @@ def open_plan() -> CycleState:
 )
 def test_a_plan_waits_for_a_person_once_an_answer_would_be_heard(asks: str, phase: Phase) -> None:
     assert phase_of(open_plan(), Standing(is_active=True, asks=asks)) is phase
+
+
+@pytest.mark.parametrize("reason", ["wrong-robot", "path-unsafe", "site-differs", "other"])
+def test_the_plan_after_a_no_says_who_said_no(reason: str) -> None:
+    no = Rejection(fingerprint=PLAN, target=STUD, reason=reason, detail="too near the door")
+    state = folded(open_plan(), ApprovalRejected(who="olga", rejection=no))
+    assert state.proposal is None
+    assert state.why.startswith("olga ")
+    assert "too near the door" in state.why

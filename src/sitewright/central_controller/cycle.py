@@ -61,6 +61,7 @@ from sitewright.central_controller.skill_fold import (
     closed,
     without_proposal,
 )
+from sitewright.central_controller.wishes import why_anew
 from sitewright.foundation.sentence import Sentence
 
 MAX_REPLANS_PER_TARGET = 3
@@ -181,9 +182,10 @@ def _after_other_event(  # noqa: C901, PLR0911, PLR0912 -- one line per kind of 
             return replace(state, approval=approval, why="")
         case ApprovalRefused(reason=reason):
             return replace(state, approval=None, why=reason)
-        case ApprovalRejected(rejection=rejection):
+        case ApprovalRejected(who=who, rejection=rejection):
             rejected = state.rejected | {rejection.fingerprint}
-            return replace(without_proposal(state), rejected=rejected)
+            why = why_anew(who, rejection)
+            return replace(without_proposal(state), rejected=rejected, why=why)
         case AlternativeChosen(call=call):
             return replace(without_proposal(state), wish=call)
         case AlternativeRefused(reason=reason):

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from sitewright.central_controller.site_state import Rejection
 from sitewright.foundation.ids import ComponentId, RobotId
+from sitewright.foundation.sentence import Sentence
 from sitewright.robot_team.skill import Skill, SkillCall
 from sitewright.symbolic_planning.site_view import GeometricFacts
 
@@ -20,6 +21,32 @@ WRONG_COMPONENT, WRONG_ROBOT, PATH_UNSAFE, LATER = (
 )
 _SEEDS_APART = 101
 _Fact = TypeVar("_Fact", bound=tuple[str, ...])
+
+
+def why_anew(who: str, rejection: Rejection) -> Sentence:
+    """Return why the next plan is asked for, after a person said no."""
+    said = _what_was_said(who, rejection)
+    if not rejection.detail:
+        return said
+    return Sentence("{said} “{detail}”", said=said, detail=rejection.detail)
+
+
+def _what_was_said(who: str, rejection: Rejection) -> Sentence:
+    match rejection.reason:
+        case "wrong-component":
+            return Sentence("{who} wants another component than the plan before.", who=who)
+        case "wrong-robot":
+            return Sentence("{who} wants another robot than the plan before.", who=who)
+        case "path-unsafe":
+            return Sentence(
+                "{who} called the plan before unsafe; it has other motions now.", who=who
+            )
+        case "site-differs":
+            return Sentence("{who} says that the site is not as the plan before had it.", who=who)
+        case "later":
+            return Sentence("{who} put {target} off.", who=who, target=rejection.target)
+        case _:
+            return Sentence("{who} rejected the plan before.", who=who)
 
 
 def wanted_pieces(

@@ -343,5 +343,12 @@ TOLD_CHINESE: Mapping[str, str] = {
     "{who} asked for what this plan does; another person must approve it.": "该方案是应 {who} 的要求而做的；必须由另一人批准。",
     "The first {wanted} of type {kind} are approved step by step ({built} are built); approve step {step} by itself.": "{kind} 类的前 {wanted} 个须逐步批准（已建 {built} 个）；请单独批准第 {step} 步。",
     "{spot} was left half done; rework it by hand.": "{spot}只做了一半；请人工返工。",
+    "{who} wants another component than the plan before.": "{who}想要与前一方案不同的构件。",
+    "{who} wants another robot than the plan before.": "{who}想要与前一方案不同的机器人。",
+    "{who} called the plan before unsafe; it has other motions now.": "{who}认为前一方案不安全；现在的运动已不同。",
+    "{who} says that the site is not as the plan before had it.": "{who}说现场与前一方案不符。",
+    "{who} put {target} off.": "{who}推迟了{target}。",
+    "{who} rejected the plan before.": "{who}拒绝了前一方案。",
+    "{said} “{detail}”": "{said}“{detail}”",
     "{names} and {count} more": "{names} 等另外 {count} 个",
 }

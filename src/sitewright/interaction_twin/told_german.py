@@ -420,5 +420,12 @@ TOLD_GERMAN: Mapping[str, str] = {
     "{who} asked for what this plan does; another person must approve it.": "{who} hat verlangt, was dieser Plan tut; jemand anders muss ihn freigeben.",
     "The first {wanted} of type {kind} are approved step by step ({built} are built); approve step {step} by itself.": "Die ersten {wanted} der Art {kind} werden Schritt für Schritt freigegeben ({built} sind gebaut); bitte Schritt {step} für sich freigeben.",
     "{spot} was left half done; rework it by hand.": "{spot} ist nur halb getan; bitte von Hand nacharbeiten.",
+    "{who} wants another component than the plan before.": "{who} will ein anderes Bauteil als im Plan davor.",
+    "{who} wants another robot than the plan before.": "{who} will einen anderen Roboter als im Plan davor.",
+    "{who} called the plan before unsafe; it has other motions now.": "{who} nannte den Plan davor unsicher; er hat jetzt andere Bewegungen.",
+    "{who} says that the site is not as the plan before had it.": "{who} sagt, die Baustelle sei nicht so wie im Plan davor.",
+    "{who} put {target} off.": "{who} hat {target} aufgeschoben.",
+    "{who} rejected the plan before.": "{who} hat den Plan davor abgelehnt.",
+    "{said} “{detail}”": "{said} „{detail}“",
     "{names} and {count} more": "{names} und {count} weitere",
 }

@@ -343,5 +343,12 @@ TOLD_SPANISH: Mapping[str, str] = {
     "{who} asked for what this plan does; another person must approve it.": "{who} pidió lo que hace este plan; otra persona debe aprobarlo.",
     "The first {wanted} of type {kind} are approved step by step ({built} are built); approve step {step} by itself.": "Los primeros {wanted} del tipo {kind} se aprueban paso a paso ({built} construidos); apruebe solo el paso {step}.",
     "{spot} was left half done; rework it by hand.": "{spot} quedó a medias; hay que rehacerlo a mano.",
+    "{who} wants another component than the plan before.": "{who} quiere otro componente que el del plan anterior.",
+    "{who} wants another robot than the plan before.": "{who} quiere otro robot que el del plan anterior.",
+    "{who} called the plan before unsafe; it has other motions now.": "{who} consideró inseguro el plan anterior; ahora tiene otros movimientos.",
+    "{who} says that the site is not as the plan before had it.": "{who} dice que la obra no está como decía el plan anterior.",
+    "{who} put {target} off.": "{who} aplazó {target}.",
+    "{who} rejected the plan before.": "{who} rechazó el plan anterior.",
+    "{said} “{detail}”": "{said} «{detail}»",
     "{names} and {count} more": "{names} y {count} más",
 }

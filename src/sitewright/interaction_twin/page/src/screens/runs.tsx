@@ -38,6 +38,7 @@ export function RunsPanel() {
       <section class="block">
         <h2>{say("runs.title")}</h2>
         {trouble.value !== "" && <p role="alert">{say("failed", { reason: trouble.value })}</p>}
+        {lines.value === null && trouble.value === "" && <p role="status">{say("loading")}</p>}
         {lines.value?.length === 0 && <p>{say("runs.none")}</p>}
         <ul class="run-list">
           {lines.value?.map((line) => (
