@@ -18,7 +18,7 @@ from sitewright.planning_twin.backends.opw_kinematics import OpwKinematics
 from sitewright.planning_twin.holding import find_holding
 from sitewright.planning_twin.holding_scope import holding_scope
 from sitewright.planning_twin.jobsite import PieceShape
-from sitewright.planning_twin.refusal import HeldFreedoms, NoGrasp
+from sitewright.planning_twin.refusal import HeldFreedoms, NoGrasp, pair_of, seen_at
 from sitewright.planning_twin.tacking import Holding, drivable_while_held
 from sitewright.planning_twin.task import Task, TwinContext
 from sitewright.robot_team.cell import EndEffectorKind, Fixture, Zone
@@ -53,8 +53,12 @@ def test_a_whole_search_that_the_holder_is_in_the_way_of_is_proven_and_says_over
     assert refusal.freedoms is not None
     found = refusal.freedoms
     assert (found.grasps, found.ways, found.tool_poses, found.robots) == (182, 468, 100, (B,))
-    ((nail, pair),) = found.blocked
+    ((nail, why),) = found.blocked
+    pair = why.pairs[0]
     assert nail == "stud-1.nail-1"
+    assert (pair_of(refusal), seen_at(refusal)) == (pair, why.moment)
+    assert why.moment is not None
+    assert set(why.moment.q_rad) == {A, B}
     assert [name.split("/")[0] for name in pair] == [A, B]
     words = (
         f"since {A}, which holds it, is in the way of {nail} ({pair[0]} and {pair[1]}); "

@@ -24,8 +24,9 @@ from sitewright.planning_twin.fastening import Spot, tool_poses
 from sitewright.planning_twin.grasp_trial import alone, with_held
 from sitewright.planning_twin.grasps import Grasp
 from sitewright.planning_twin.jobsite import Jobsite, drives, scene_of, with_tool
-from sitewright.planning_twin.refusal import HeldFreedoms, NoIk
-from sitewright.planning_twin.scene import Attachment, Pair, SceneSnapshot, owner_of
+from sitewright.planning_twin.moment import moment_of
+from sitewright.planning_twin.refusal import BlockedBy, HeldFreedoms, NoIk
+from sitewright.planning_twin.scene import Attachment, SceneSnapshot
 from sitewright.planning_twin.tacking import Holding, held_site, is_enough
 from sitewright.planning_twin.task import TwinContext
 from sitewright.planning_twin.touches import place_touch, spot_touch
@@ -69,7 +70,7 @@ def proof_of_too_few(
         ways=len(ways),
         tool_poses=drivers.most_poses,
         robots=drivers.robots,
-        blocked=drivers.blocked_by_holder(act, ways, gripper),
+        blocked=drivers.blocked_by_holder(robot.id),
     )
 
 
@@ -162,6 +163,7 @@ class _Drivers:
     most_poses: int
     robots: tuple[RobotId, ...]
     _hits: Counter[OperationId] = field(default_factory=Counter)
+    _blocked_first: dict[OperationId, Jobsite] = field(default_factory=dict)
 
     @classmethod
     def of(cls, act: TwinContext, holder: RobotId, piece: ComponentId) -> _Drivers | None:
@@ -194,6 +196,7 @@ class _Drivers:
                 return True
             if not any(self._is_clear(scene_with, post) for post in self.posts[operation]):
                 self._hits[operation] += 1
+                self._blocked_first.setdefault(operation, site)
                 del free[operation]
         return not is_enough(task, tuple(free))
 
@@ -203,29 +206,27 @@ class _Drivers:
         )
         return among.is_clear(post.q_rad, post.touch.near_m)
 
-    def blocked_by_holder(
-        self, act: TwinContext, ways: list[Holding], gripper: EndEffector
-    ) -> tuple[tuple[OperationId, Pair], ...]:
+    def blocked_by_holder(self, holder: RobotId) -> tuple[tuple[OperationId, BlockedBy], ...]:
         """Return fasteners that could be driven if nobody held the piece, and what is too near.
 
-        The pair is that of the cheapest grasp, in the posture of the driver that fewest pairs are
-        too near in.
+        Each is told for the cheapest way to hold that it was blocked in.
         """
         return tuple(
-            (operation, pair)
-            for operation in self.posts
-            if self._hits[operation] and self.posts[operation] and ways
-            for pair in self._pairs(held_site(act, ways[0], gripper), ways[0].robot, operation)[:1]
+            (operation, self._why(site, holder, operation))
+            for operation, site in self._blocked_first.items()
+            if self.posts[operation]
         )
 
-    def _pairs(self, site: Jobsite, holder: RobotId, operation: OperationId) -> list[Pair]:
-        scene_with, found = _scenes(site, holder), list[list[Pair]]()
+    def _why(self, site: Jobsite, holder: RobotId, operation: OperationId) -> BlockedBy:
+        """Return the pairs of holder and driver in the posture that has the fewest of them."""
+        scene_with, found = _scenes(site, holder), list[BlockedBy]()
         for post in self.posts[operation]:
             scene = scene_with(post.robot, post.tool)
             among = Reaching(backends=self.act.backends, scene=scene, robot=post.robot)
             pairs = among.violations(post.q_rad, post.touch.near_m)
-            found.append([p for p in pairs if holder in {owner_of(scene, name) for name in p}])
-        return min(found, key=len)
+            moment = moment_of(scene, {post.robot: post.q_rad}, pairs[0])
+            found.append(BlockedBy(pairs=pairs, removals=((holder,),), moment=moment))
+        return min(found, key=lambda why: len(why.pairs))
 
 
 def _tools_for(

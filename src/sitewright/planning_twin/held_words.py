@@ -21,8 +21,8 @@ def too_few_words(tacking: Tacking, never: HeldFreedoms | None) -> Sentence:
     if never is None:
         return _in_the_way(few, holder, tuple(tacking.hindered()))
     own = tuple(
-        Sentence("{fastener} ({pair:and})", fastener=operation, pair=pair)
-        for operation, pair in never.blocked
+        Sentence("{fastener} ({pair:and})", fastener=operation, pair=why.pairs[0])
+        for operation, why in never.blocked
     )
     return Sentence(
         "{few}; proven over all {grasps} grasps in every posture ({ways} ways to hold it), and "

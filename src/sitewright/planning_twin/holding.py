@@ -96,7 +96,7 @@ def find_holding(
         candidates=len(candidates),
         dropped_by=tuple(sorted(dropped.items())),
         reason=_reason(tacking, dropped, tried, never),
-        nearest=None if tried else _in_the_way(context, robot, tool, piece, candidates),
+        nearest=None if tried else _nearest(context, robot, tool, piece, candidates, never),
         freedoms=never,
     )
 
@@ -172,6 +172,20 @@ def _in_its_place(trial: GraspTrial, others: tuple[str, ...], q_rad: Joints) -> 
         reason=reason,
         moment=moment_of(trial.carrying.scene, {trial.robot.id: q_rad}, pairs[0]),
     )
+
+
+def _nearest(
+    context: TwinContext,
+    robot: Robot,
+    tool: EndEffector,
+    piece: ComponentId,
+    candidates: list[Grasp],
+    never: HeldFreedoms | None,
+) -> BlockedBy | None:
+    """Return what is in the way of a fastener while the piece is held, else of a first grasp."""
+    if never is not None and never.blocked:
+        return never.blocked[0][1]
+    return _in_the_way(context, robot, tool, piece, candidates)
 
 
 def _in_the_way(

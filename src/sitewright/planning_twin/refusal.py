@@ -85,15 +85,15 @@ class HeldFreedoms:
             meets neither itself nor what stands there for good.
         tool_poses: So many poses of tools for each fastener at most: leans and quarter turns.
         robots: Who might drive them.
-        blocked: Fasteners that could be driven if nobody held the piece, each with two bodies
-            that come too near otherwise: one of them belongs to who holds it.
+        blocked: Fasteners that could be driven if nobody held the piece, each with who is too
+            near to whom in the cheapest way to hold that it is blocked in.
     """
 
     grasps: int
     ways: int
     tool_poses: int
     robots: tuple[RobotId, ...]
-    blocked: tuple[tuple[OperationId, Pair], ...] = ()
+    blocked: tuple[tuple[OperationId, BlockedBy], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
