@@ -10,7 +10,7 @@ export function ResultBox() {
     if (last !== null && last.kind !== "recorded") box.current?.scrollIntoView({ block: "nearest" });
   }, [last]);
   return last === null ? null : (
-    <div ref={box}>
+    <div ref={box} class={last.kind === "refused" ? "stays" : ""}>
       <Answer last={last} />
     </div>
   );
