@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
@@ -20,6 +21,7 @@ from playwright.sync_api import Browser, Page, Route, expect, sync_playwright
 from playwright.sync_api import TimeoutError as TooLate
 
 from sitewright.app.project import new_project
+from sitewright.robot_team.drivers.mujoco.places import PID_NAME
 
 CHROMIUM = shutil.which("chromium")
 WAIT_MS = int(os.environ.get("SITEWRIGHT_PAGE_WAIT_MS", "60000"))
@@ -52,6 +54,9 @@ class ServedProject:
 
     def __exit__(self, *_: object) -> None:
         self.end(signal.SIGINT)
+        for file in self.folder.glob(f"runs/*/cell/{PID_NAME}"):  # it outlives its server
+            with contextlib.suppress(OSError, ValueError):
+                os.kill(int(json.loads(file.read_text())["pid"]), signal.SIGTERM)
 
     @property
     def origin(self) -> str:

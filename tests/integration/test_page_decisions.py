@@ -182,6 +182,27 @@ def test_nothing_is_decided_when_the_journal_cannot_be_written(
     assert wait_for(page, lambda s: s["phase"] == "broken")["words"]
 
 
+def test_a_hold_is_taken_though_the_journal_cannot_be_written(
+    served: Served, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The robots come first, the record after; that it is missing is told as well."""
+    from sitewright.journal.errors import JournalFullError
+    from sitewright.journal.sqlite import SqliteJournal
+
+    page = served.local()
+    waiting(page)
+
+    def full(journal: SqliteJournal, entry: object) -> None:
+        del entry
+        raise JournalFullError(journal.path, "no space left on device")
+
+    monkeypatch.setattr(SqliteJournal, "append", full)
+    assert page.post("/api/hold", json={"key": "hold-key"}).status_code == 200
+    state = wait_for(page, lambda s: s["phase"] == "broken")
+    assert "no space left on device" in state["words"]
+    assert journal(served, "skill_intent") == []
+
+
 def test_only_a_person_settles_an_unknown_outcome_and_the_journal_says_who(
     served: Served,
 ) -> None:

@@ -208,3 +208,13 @@ def test_a_hold_gets_through_while_the_preview_plays(crew: Crew) -> None:
     page.wait_for_selector(".headline.held", timeout=WAIT_MS)
     page.click(".modes button >> nth=0")
     crew.both_armed()
+
+
+def test_a_hold_is_in_reach_while_a_dialog_is_open(crew: Crew) -> None:
+    crew.both_armed()
+    page = crew.ann.page
+    page.click(".acts > button >> nth=0")
+    page.click("dialog[open] .hold-here")
+    crew.ann.until(lambda s: s["phase"] == "held")
+    expect(page.locator("dialog[open]")).to_have_count(0)  # there is no plan to reject any more
+    crew.both_armed()

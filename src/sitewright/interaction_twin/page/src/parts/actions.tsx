@@ -1,15 +1,12 @@
 // The bar of decisions. What is sent is bound to the fingerprint that was on the screen when the finger went down.
 import { signal } from "@preact/signals";
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { say, sayCount } from "../words/words";
 import { unseen, whyNotApprove } from "../state/arming";
 import { decide, hold, holdState, shownSentences, type Decision } from "../state/decisions";
-import { isReachable, link, may, panel, proposal, run, screen, selectStep, selectedStep } from "../state/store";
+import { isReachable, isResting, link, may, panel, proposal, run, screen, selectStep, selectedStep } from "../state/store";
 import { OtherDialog } from "./other-dialog";
 import { RejectDialog } from "./reject-dialog";
-
-/** Phases in which nothing starts before somebody says so. */
-const RESTING: ReadonlySet<string> = new Set(["held", "idle", "needs-help", "broken"]);
 
 type Scope = NonNullable<Decision["scope"]>;
 const open = signal<"" | "reject" | "other">("");
@@ -17,7 +14,7 @@ const open = signal<"" | "reject" | "other">("");
 /** Hold comes first in the order of keys, and is there on every screen. */
 export function HoldButton() {
   const state = holdState.value;
-  const isHeld = RESTING.has(run.value?.phase ?? "");
+  const isHeld = isResting.value;
   const isLost = link.value === "lost"; // a press is still tried, and says that it did not arrive
   return (
     <section class="hold-area" aria-label={say("act.hold")}>
@@ -48,7 +45,11 @@ function ResumeButton() {
 
 export function ActionBar() {
   const plan = proposal.value;
-  if (plan === null || run.value?.phase !== "waiting") return <div class="acts" />;
+  const isAsked = plan !== null && run.value?.phase === "waiting";
+  useEffect(() => {
+    if (!isAsked) open.value = ""; // a dialog is about the plan that it was opened for
+  }, [isAsked]);
+  if (!isAsked) return <div class="acts" />;
   if (screen.value !== "cell" || panel.value !== "plan") return <ShowPlan code={plan.code} />;
   const left = plan.steps.filter((s) => !s.is_done);
   const chosen = selectedStep.value !== null && left.some((s) => s.number === selectedStep.value) ? selectedStep.value : null;

@@ -1,6 +1,8 @@
-// A dialog that the browser keeps the focus in.
+// A dialog that the browser keeps the focus in; as the page behind it is out of reach, it has a Hold of its own.
 import type { ComponentChildren } from "preact";
 import { useEffect, useId, useRef } from "preact/hooks";
+import { hold } from "../state/decisions";
+import { isResting } from "../state/store";
 import { say } from "../words/words";
 
 interface Props {
@@ -25,6 +27,11 @@ export function Dialog({ title, onClose, children, isBeside = false }: Props) {
         <button type="button" class="quiet" onClick={() => box.current?.close()}>
           {say("act.close")}
         </button>
+        {!isBeside && !isResting.value && (
+          <button type="button" class="hold-here" onClick={() => void hold()}>
+            {say("act.hold")}
+          </button>
+        )}
       </header>
       {children}
     </dialog>

@@ -1,4 +1,4 @@
-// Who decides at a shared tablet: a name, and the PIN that goes with it; nothing of it is kept.
+// Who decides at a shared tablet: a name, and the PIN that goes with it; nothing of it is kept. Hold stays in reach.
 import { useState } from "preact/hooks";
 import { signatureWanted } from "../state/decisions";
 import { isReachable, session } from "../state/store";
@@ -18,7 +18,7 @@ function Ask({ give }: { give: NonNullable<typeof signatureWanted.value>["give"]
     give({ by, pin });
   };
   return (
-    <Dialog title={say("pin.title")} onClose={() => give(null)}>
+    <Dialog title={say("pin.title")} onClose={() => give(null)} isBeside>
       <form onSubmit={send}>
         <label class="field">
           {say("sign-in.user")}

@@ -65,6 +65,10 @@ export const step = computed<StepRecord | null>(
 /** Whether answers can be given: nothing is queued while there is no connection. */
 export const isReachable = computed(() => link.value === "live" || link.value === "stale");
 
+/** Phases in which nothing starts before somebody says so. */
+const RESTING: ReadonlySet<string> = new Set(["held", "idle", "needs-help", "broken"]);
+export const isResting = computed(() => RESTING.has(run.value?.phase ?? ""));
+
 export function may(verb: string): boolean {
   return session.value?.can.includes(verb) ?? false;
 }
