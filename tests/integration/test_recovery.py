@@ -6,7 +6,17 @@ from dataclasses import replace
 
 import pytest
 
-from builders_planning import SUPPORT_1, A, case_study_start, with_cell, with_piece_at
+from builders_planning import (
+    STUD,
+    SUPPORT_1,
+    A,
+    Rehearsal,
+    case_study_start,
+    with_cell,
+    with_component,
+    with_operation,
+    with_piece_at,
+)
 from sitewright.central_controller.ports import Escalation, Planned, SiteContext
 from sitewright.central_controller.proposing import Proposals
 from sitewright.central_controller.rehearsal import rehearsed
@@ -16,7 +26,7 @@ from sitewright.foundation.shapes import Box
 from sitewright.robot_team.cell import Cell, Fixture, StationKind, Zone
 from sitewright.robot_team.skill import Skill, SkillCall
 
-FALLEN = ComponentId("thick.3")
+FALLEN, LOOSE, FAR = ComponentId("thick.3"), ComponentId("thick.1"), "stud-1.nail-3"
 
 
 @pytest.fixture(scope="module")
@@ -97,3 +107,22 @@ def test_a_fixture_or_zone_where_a_piece_belongs_is_named(
     assert outcome.target == SUPPORT_1
     assert outcome.verdict == f"blocked by {thing}"
     assert f"take {thing} out of the way" in outcome.reason
+
+
+def test_a_change_that_helps_only_once_a_piece_is_out_of_the_way_is_tried_with_that_errand(
+    frame: Rehearsal,
+) -> None:
+    """A loose support lies where the stud belongs, and a far nail must be driven while it is held.
+
+    To clear the place is not enough, nor is it enough to drive the nail later.
+    """
+    stud = replace(frame.proposals.design.component(STUD), hold_until_fasteners=1)
+    forced = with_component(frame.proposals, with_operation(stud, FAR, needs_hold=True))
+    on_supports = translation(0.0, 0.0, 0.05) @ forced.design.world_T_target(STUD)
+    context = with_piece_at(frame.before[STUD], LOOSE, on_supports)
+    outcome = forced.propose(context)
+    assert isinstance(outcome, Escalation)
+    assert outcome.blockers == (LOOSE,)
+    (found,) = outcome.counter_proposals
+    assert found.words == f"let {FAR} be driven after {STUD} is let go of"
+    assert found.steps > len(frame.planned[STUD].proposal.steps)

@@ -98,8 +98,11 @@ class Adviser:
                 return None
             context = built(context, steps_of(before), other)
         outcome = recovery.by_itself(context)
-        if not isinstance(outcome, TargetPlan):
-            return None
+        if isinstance(outcome, TargetRefusal):
+            cleared = recovery.once_cleared(context, outcome)
+            if cleared is None:
+                return None
+            outcome = cleared
         steps = steps_of(outcome)
         duration_s = sum(s.duration_s for s in steps)
         return CounterProposal(words=change.words, steps=len(steps), duration_s=duration_s)

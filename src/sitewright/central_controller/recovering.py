@@ -130,6 +130,11 @@ class Recovery:
                 if isinstance(rest, TargetPlan):
                     yield _WayRound(rest.after(moved), passed_in_words(moved, rest, way))
 
+    def once_cleared(self, context: SiteContext, refusal: TargetRefusal) -> TargetPlan | None:
+        """Return a plan that first brings the pieces in the way to buffers, if there is one."""
+        found = next(self._cleared(context, refusal), None)
+        return None if found is None else found.plan
+
     def _cleared(self, context: SiteContext, refusal: TargetRefusal) -> Iterator[_WayRound]:
         """Yield plans that first bring the pieces in the way to buffers."""
         for things in refusal.removals[:_MOST_ERRANDS]:
