@@ -93,8 +93,9 @@ def _corners(pose: Pose) -> list[tuple[float, float, float]]:
 
 
 def _is_in(pose: Pose, point: tuple[float, float, float]) -> bool:
+    """Tell whether a point is inside; on the edge is neither in nor out."""
     x, y, _ = pose.inverse().apply(point)
-    return abs(x) <= 0.5 and abs(y) <= 0.2
+    return abs(x) < 0.5 - 1e-6 and abs(y) < 0.2 - 1e-6
 
 
 def test_what_is_above_another_is_not_in_its_way() -> None:
