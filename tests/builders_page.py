@@ -241,4 +241,5 @@ def look(
         locale="en-GB",
         has_touch=has_touch,
     )
+    context.set_default_timeout(WAIT_MS)
     return Seen(context.new_page(), served)
