@@ -60,7 +60,7 @@ class ServedProject:
 
     @property
     def origin(self) -> str:
-        return self.url.split("/#")[0]
+        return self.url.split("#")[0].rstrip("/")
 
     def start(self, port: int = 0) -> None:
         """Start the server and read the link that it prints."""
@@ -79,8 +79,8 @@ class ServedProject:
         said = []
         for line in self._process.stdout:
             said.append(line)
-            if "#token=" in line:
-                self.url = next(w for w in line.split() if "#token=" in w)
+            if line.startswith("The page: "):
+                self.url = line.split()[-1]
                 break
         assert self.url, "".join(said)
         self._drain = threading.Thread(target=self._process.stdout.read, daemon=True)

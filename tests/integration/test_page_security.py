@@ -5,6 +5,7 @@ from __future__ import annotations
 import http.client
 import json
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -12,10 +13,14 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
 from builders_serving import Served, approval, wait_for, waiting
+from sitewright.app.clock import SystemClock
+from sitewright.app.execution import state_home
+from sitewright.app.run_folder import installation_key
 from sitewright.app.serving.users import new_user
-from sitewright.interaction_twin.roles import NEEDED_ROLE, Role, Verb
+from sitewright.interaction_twin.roles import NEEDED_ROLE, Person, Role, Verb
 from sitewright.interaction_twin.web.api import Api
 from sitewright.interaction_twin.web.routes import ROUTES
+from sitewright.interaction_twin.web.sessions import Sessions
 
 ROLES = tuple(Role)
 
@@ -126,17 +131,31 @@ def test_each_role_may_do_exactly_what_it_is_for(
         assert answer.json()["needs"] == NEEDED_ROLE[verb].value
 
 
-def test_the_link_signs_in_one_time_and_the_cookie_is_for_this_port_only(served: Served) -> None:
+def test_the_link_signs_in_one_time_and_the_cookie_is_for_this_port_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    with Served(tmp_path / "project") as served:
+        guest = served.guest()
+        first = guest.post("/api/session", json={"token": served.token})
+        assert first.status_code == 200
+        set_cookie = first.headers["set-cookie"]
+        assert f"sitewright-{served.address.port}=" in set_cookie
+        assert "HttpOnly" in set_cookie
+        assert "SameSite=strict" in set_cookie
+        again = served.guest().post("/api/session", json={"token": served.token})
+        assert (again.status_code, again.json()["error"]) == (401, "token")
+        guest.delete("/api/session", headers={"content-type": "application/json"})
+        assert guest.get("/api/state").status_code == 401
+
+
+def test_where_people_have_names_the_link_signs_nobody_in(served: Served) -> None:
+    """Whoever started the server would count as one person more."""
+    assert served.address.url == f"{served.origin}/"
+    local = Person(who="local", role=Role.ADMIN, session="1")
+    forger = Sessions(key=installation_key(state_home()), clock=SystemClock())
     guest = served.guest()
-    first = guest.post("/api/session", json={"token": served.token})
-    assert first.status_code == 200
-    set_cookie = first.headers["set-cookie"]
-    assert f"sitewright-{served.address.port}=" in set_cookie
-    assert "HttpOnly" in set_cookie
-    assert "SameSite=strict" in set_cookie
-    again = served.guest().post("/api/session", json={"token": served.token})
-    assert (again.status_code, again.json()["error"]) == (401, "token")
-    guest.delete("/api/session", headers={"content-type": "application/json"})
+    guest.cookies.set(f"sitewright-{served.address.port}", forger.cookie_of(local))
     assert guest.get("/api/state").status_code == 401
 
 

@@ -105,6 +105,9 @@ def _check_host(host: str | None, *, is_guarded: bool, tablet: bool) -> None:
         raise click.UsageError(f"--host: {fault}")
 
 
+_BY_NAME = "People sign in by name, with the tokens that `sitewright user` printed."
+
+
 def serve_page(
     options: ServeOptions, out: Output, *, opens_browser: bool, draws_code: bool = False
 ) -> int:
@@ -115,7 +118,8 @@ def serve_page(
         out.line(f"The page: {address.url}")
         if draws_code and not out.is_json:
             click.echo(_qr_code(address.url))
-        out.line("The link signs in one time. Ctrl-C holds the run and ends the server.")
+        signs_in = "The link signs in one time." if options.users is None else _BY_NAME
+        out.line(f"{signs_in} Ctrl-C holds the run and ends the server.")
         out.document(_SERVE, {"port": address.port, "url": address.url})
         sys.stdout.flush()
         if opens_browser:

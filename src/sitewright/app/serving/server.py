@@ -63,7 +63,7 @@ class Address:
     """Where the page is.
 
     Attributes:
-        url: With a token that signs in one time.
+        url: Of the page; with a token that signs in one time unless users have their own.
     """
 
     port: int
@@ -113,7 +113,8 @@ class PageServer:
             place = place_of(options.host, port, is_secure=options.tls is not None)
             pins = Pins(users, clock) if twin.asks_pin else None
             app = application(twin, sessions, hub, place=place, pins=pins)
-            address = Address(port=port, url=f"{place.origin}/#token={sessions.invite()}")
+            key = "" if users else f"#token={sessions.invite()}"
+            address = Address(port=port, url=f"{place.origin}/{key}")
             config = _config(app, options.tls)
             self._server = EndingServer(config, lambda: on_ready(address))
             door = Door(

@@ -40,7 +40,8 @@ class Sessions:
 
     Attributes:
         key: Of this installation.
-        users: By name; empty if there is only the one local user.
+        users: By name; empty if there is only the one local user. Where people have names,
+            nobody is local: one person would count as two.
         local_role: Role of whoever opens the link that the server printed.
         one_time: Tokens that were printed and not used yet.
         program_sha256: Of the token by which this user's own programs decide; empty if none may.
@@ -73,7 +74,7 @@ class Sessions:
         if user and known is not None:
             is_right = hmac.compare_digest(_sha256(token), known.token_sha256)
             return Person(who=user, role=known.role, session=session) if is_right else None
-        if user or token not in self.one_time:
+        if user or self.users or token not in self.one_time:
             return None
         self.one_time.discard(token)
         return Person(who="local", role=self.local_role, session=session)
@@ -98,7 +99,7 @@ class Sessions:
         if facts["until"] < self.clock.utc_ns() // _NS:
             return None
         person = Person(who=facts["who"], role=Role(facts["role"]), session=facts["session"])
-        if self.users and person.who != "local":
+        if self.users:
             known = self.users.get(person.who)
             return person if known is not None and known.role is person.role else None
         return person
