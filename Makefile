@@ -2,7 +2,7 @@
 # `make demo` : the wooden frame, planned, approved by policy, built in simulation; no terminal needed
 # `make test` : all tests; what this machine lacks is skipped by name, with how to enable it
 # `make lint` : style, types and the import contracts
-# `make page` : the page's bundle from its TypeScript (needs node and npm); CI compares it with the committed one
+# `make page` : the page's types from the server's, and its bundle (needs node and npm); CI compares both with the committed ones
 # `make lock` : new lock files after a change of pyproject.toml (needs uv)
 
 PYTHON ?= python3
@@ -47,7 +47,8 @@ lint: dev-env
 	$(BIN)/lint-imports --no-cache
 
 PAGE := src/sitewright/interaction_twin/page
-page:
+page: env
+	$(BIN)/python tools/write_wire.py
 	cd $(PAGE) && npm ci --ignore-scripts --no-audit --no-fund && npm run --silent check && npm run --silent build
 
 UV_COMPILE = uv pip compile pyproject.toml --generate-hashes --no-emit-index-url --no-emit-find-links \

@@ -15,6 +15,7 @@ from typing import Any, Self
 import httpx
 
 from builders_run import Site
+from builders_wire import assert_answer_fits
 from sitewright.app.project import new_project, read_project
 from sitewright.app.run import RunResult, run_project
 from sitewright.app.serving.channel import Channel
@@ -152,11 +153,19 @@ class Served:
         return self.address.url.split("#token=")[1]
 
     def guest(self, **headers: str) -> httpx.Client:
-        """Return a client that nobody knows; it has the page's Origin unless told otherwise."""
+        """Return a client that nobody knows; it has the page's Origin unless told otherwise.
+
+        Every answer that it gets is held against the types of the wire.
+        """
         own = {"origin": self.origin, **headers}
         headers = {k: v for k, v in own.items() if v}
         return self._clients.enter_context(
-            httpx.Client(base_url=self.origin, headers=headers, timeout=WAIT_S)
+            httpx.Client(
+                base_url=self.origin,
+                headers=headers,
+                timeout=WAIT_S,
+                event_hooks={"response": [assert_answer_fits]},
+            )
         )
 
     def local(self) -> httpx.Client:

@@ -14,7 +14,9 @@ import pytest
 from websockets.sync.client import ClientConnection, connect
 
 from builders_serving import Served, approval, wait_for, waiting
+from builders_wire import assert_fits
 from sitewright.app.serving.history import history_of
+from sitewright.interaction_twin import wire
 
 
 @pytest.fixture(autouse=True)
@@ -44,6 +46,7 @@ def heard_until(link: ClientConnection, kind: str) -> list[dict[str, Any]]:
         message = link.recv(60)
         if isinstance(message, str):
             found.append(json.loads(message))
+            assert_fits(wire.NEWS, found[-1])
     return found
 
 

@@ -343,7 +343,7 @@ class ProjectTwin:
         book = self._book(decision.language)
         reply = await self._link.ask("decide", {"signed": to_json(signed)})
         reply = retold_reply(reply, self._view.labels, book)
-        if reply.body.get("error") != "stale":
+        if reply.is_ok or "open" not in reply.body:
             return reply
         return Reply(status=reply.status, body=await self._with_difference(reply.body, book))
 

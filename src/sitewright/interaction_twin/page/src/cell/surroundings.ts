@@ -14,7 +14,7 @@ import {
   ShaderMaterial,
   type Material,
 } from "three";
-import type { PlaceRecord, Scene } from "../wire";
+import type { Scene, StationRecord, StockPlaceRecord } from "../wire";
 import { bodyMaterial, COLOUR, veil } from "./looks";
 import { matrixOf } from "./poses";
 import type { Shapes } from "./shapes";
@@ -88,9 +88,10 @@ function hatched(colour: string, foot_m: number): Material {
   });
 }
 
-function markOf(place: PlaceRecord): Mesh | null {
-  if (place.world_T === null || place.kind === "preparation") return null;
-  const material = new MeshBasicMaterial({ color: MARK_COLOUR[place.kind ?? ""] ?? "#6f7f8b", transparent: true, opacity: 0.75, side: DoubleSide, depthWrite: false });
+function markOf(place: StationRecord | StockPlaceRecord): Mesh | null {
+  const kind = "kind" in place ? place.kind : "";
+  if (kind === "preparation") return null;
+  const material = new MeshBasicMaterial({ color: MARK_COLOUR[kind] ?? "#6f7f8b", transparent: true, opacity: 0.75, side: DoubleSide, depthWrite: false });
   const ring = new Mesh(new RingGeometry(0.09, 0.12, 40), material);
   ring.applyMatrix4(matrixOf(place.world_T));
   ring.translateZ(0.004);

@@ -1,9 +1,9 @@
 // Trouble in words, with what can be done; the picture lights what is in the way.
 import { useEffect, useState } from "preact/hooks";
 import { decide } from "../state/decisions";
-import { ask } from "../state/server";
+import { ask, inLanguage } from "../state/server";
 import { blockers, isReachable, may, mode, proposal, run, shownTrouble } from "../state/store";
-import type { Option, Question, Tried, Trouble } from "../wire";
+import type { ByHand, Effect, Option, Question, Tried, Trouble } from "../wire";
 import { inNumbers, say, sayWord } from "../words/words";
 import { Dialog } from "./dialog";
 import { isDrawingZone } from "./zone-dialog";
@@ -105,23 +105,17 @@ function show(trouble: Trouble): void {
 
 function OptionButton({ option, onManual }: { option: Option; onManual: () => void }) {
   const fingerprint = proposal.value?.fingerprint ?? "";
-  const { verb, call, step, zone } = option;
+  const { verb, zone } = option;
   const act = (): void => {
     if (verb === "manual") onManual();
     else if (verb === "zone" && zone === undefined) isDrawingZone.value = true;
-    else void decide({ fingerprint, verb, ...(call && { call }), ...(zone && { zone }), ...(step !== undefined && { step }) });
+    else void decide({ fingerprint, verb, ...(zone && { zone }) });
   };
   return (
     <button type="button" disabled={!isReachable.value || !may(verb)} onClick={act}>
       {option.words}
-      {option.price_s != null && ` (${say("other.price", { seconds: `+${inNumbers(option.price_s)}` })})`}
     </button>
   );
-}
-
-interface Effect {
-  fact: string;
-  words: string;
 }
 
 /** A checklist of what is true now, by the words of the server. */
@@ -130,7 +124,7 @@ function ManualDialog({ target, name, onClose }: { target: string; name: string;
   const [ticked, setTicked] = useState<ReadonlySet<string>>(new Set());
   const [trouble, setTrouble] = useState("");
   useEffect(() => {
-    ask<{ effects: Effect[] }>(`/api/manual/${target}`).then((answer) => setEffects(answer.effects), (error: Error) => setTrouble(error.message));
+    ask<ByHand>(inLanguage(`/api/manual/${target}`)).then((answer) => setEffects(answer.effects), (error: Error) => setTrouble(error.message));
   }, [target]);
   const toggle = (fact: string): void => {
     const next = new Set(ticked);

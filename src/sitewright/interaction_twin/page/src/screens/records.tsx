@@ -2,29 +2,25 @@
 import { useEffect, useState } from "preact/hooks";
 import { ask, inLanguage } from "../state/server";
 import { checkCode } from "../state/check-code";
+import type { Audit, AuditEntry, Health } from "../wire";
 import { atTime, inNumbers, inSeconds, say, sayCount, sayWord } from "../words/words";
 
-interface Entry {
-  run: string;
-  n: number;
-  at_ms: number;
-  who: string;
-  role: string;
-  verb: string;
-  words: string;
-  shown: string[];
-  detail: { fingerprint?: string; approval?: { fingerprint: string; scope: { kind: "plan" | "until" | "step"; step: number } } };
+/** What the page reads of an event's content. */
+interface Detail {
+  fingerprint?: string;
+  approval?: { fingerprint: string; scope: { kind: "plan" | "until" | "step"; step: number } };
 }
 
 /** Returns what was decided; in the page's own words where the journal has none for people. */
-function decided(entry: Entry): string {
-  const scope = entry.detail.approval?.scope;
+function decided(entry: AuditEntry): string {
+  const scope = (entry.detail as Detail).approval?.scope;
   const what = entry.words === "" ? sayWord("verb", entry.verb) : entry.words;
   return scope === undefined ? what : `${what}: ${say(`scope.${scope.kind}`, { step: scope.step })}`;
 }
 
-function codeOf(entry: Entry): string {
-  const fingerprint = entry.detail.fingerprint ?? entry.detail.approval?.fingerprint ?? "";
+function codeOf(entry: AuditEntry): string {
+  const detail = entry.detail as Detail;
+  const fingerprint = detail.fingerprint ?? detail.approval?.fingerprint ?? "";
   return fingerprint === "" ? "" : checkCode(fingerprint);
 }
 
@@ -41,7 +37,7 @@ function useAnswer<T>(path: string): [T | null, string] {
 }
 
 export function AuditScreen() {
-  const [answer, trouble] = useAnswer<{ entries: Entry[] }>(inLanguage("/api/audit"));
+  const [answer, trouble] = useAnswer<Audit>(inLanguage("/api/audit"));
   return (
     <div class="sheet scroll" tabIndex={0} role="region" aria-label={say("nav.audit")}>
       <h2>{say("audit.title")}</h2>
@@ -89,14 +85,6 @@ export function AuditScreen() {
       )}
     </div>
   );
-}
-
-interface Health {
-  server: { version: string; uptime_s: number; clients: number };
-  run: { phase: string; pid: number | null; is_alive: boolean };
-  cell: { state: string; age_ms: number | null };
-  journal: { run: string; n: number; is_whole?: boolean };
-  disk_free_bytes: number;
 }
 
 export function HealthScreen() {

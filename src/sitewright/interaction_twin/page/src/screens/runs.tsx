@@ -5,16 +5,8 @@ import { setTime } from "../state/playing";
 import { ask, inLanguage } from "../state/server";
 import { chooseReplay } from "../state/replaying";
 import { isPlaying, mode, replay, time_s } from "../state/store";
-import type { ReplayRecord, RunEvent } from "../wire";
+import type { ReplayRecord, RunEvent, RunLine, RunRecord, Runs } from "../wire";
 import { atTime, say, sayWord } from "../words/words";
-
-interface RunLine {
-  id: string;
-  started_at_ms: number;
-  ended: string;
-  installed: number;
-  targets: number;
-}
 
 const lines = signal<readonly RunLine[] | null>(null);
 const chosen = signal<{ id: string; events: readonly RunEvent[] } | null>(null);
@@ -24,7 +16,7 @@ const trouble = signal("");
 
 export function RunsPanel() {
   useEffect(() => {
-    ask<{ runs: RunLine[] }>("/api/runs").then((answer) => (lines.value = answer.runs), fail);
+    ask<Runs>("/api/runs").then((answer) => (lines.value = answer.runs), fail);
     return () => {
       isPlaying.value = false;
       chooseReplay(null);
@@ -95,7 +87,7 @@ function present(): number {
 }
 
 async function open(id: string): Promise<void> {
-  const [run, record] = await Promise.all([ask<{ events: RunEvent[] }>(inLanguage(`/api/runs/${id}`)), ask<ReplayRecord>(`/api/runs/${id}/replay`)]);
+  const [run, record] = await Promise.all([ask<RunRecord>(inLanguage(`/api/runs/${id}`)), ask<ReplayRecord>(`/api/runs/${id}/replay`)]);
   chosen.value = { id, events: run.events };
   chooseReplay(record);
   mode.value = "replay";

@@ -1,7 +1,7 @@
 // Answers of people: bound to what was on the screen, sent once, never queued.
 import { signal } from "@preact/signals";
 import { language, say } from "../words/words";
-import type { Call } from "../wire";
+import type { HoldAnswer, Recorded } from "../wire";
 import { ask, NoAnswerError, RefusedError } from "./server";
 import { loadProposal } from "./start";
 import { isReachable, proposal, result, session, type Result } from "./store";
@@ -14,7 +14,7 @@ export interface Decision {
   reason?: string;
   detail?: string;
   step?: number;
-  call?: Call;
+  call?: { skill: string; robot: string; arguments: string[] };
   question_id?: string;
   answer?: string;
   component?: string;
@@ -37,12 +37,6 @@ type Sent = Decision & Partial<Signature> & { key: string; lang: string };
 export const signatureWanted = signal<{ give: (signature: Signature | null) => void } | null>(null);
 
 export const isSending = signal(false);
-
-interface Recorded {
-  ok: boolean;
-  who?: string;
-  waiting_for?: string;
-}
 
 /** Sends a decision; the key is made here, once per press. */
 export async function decide(decision: Decision): Promise<boolean> {
@@ -109,7 +103,7 @@ export const holdState = signal<"" | "sent" | "failed">("");
 /** Asks for a hold: no fingerprint, no role, no queue. */
 export async function hold(): Promise<void> {
   try {
-    const answer = await ask<{ told_cell: boolean }>("/api/hold", {
+    const answer = await ask<HoldAnswer>("/api/hold", {
       method: "POST",
       body: { reason: "", key: crypto.randomUUID() },
       wait_ms: 1500,

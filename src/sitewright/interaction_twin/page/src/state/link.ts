@@ -2,7 +2,7 @@
 import { Matrix4 } from "three";
 import { age_s, events, joints, link, piecePoses, run } from "./store";
 import { ask } from "./server";
-import type { RunEvent, RunState } from "../wire";
+import type { CaughtUp, RunEvent, RunState, Ticket } from "../wire";
 import { language } from "../words/words";
 
 const STALE_MS = 500;
@@ -37,7 +37,7 @@ export class ServerLink {
 
   private async connect(): Promise<void> {
     try {
-      const { ticket } = await ask<{ ticket: string }>("/api/ws-ticket", { method: "POST", wait_ms: 1000 });
+      const { ticket } = await ask<Ticket>("/api/ws-ticket", { method: "POST", wait_ms: 1000 });
       this.open(ticket);
     } catch {
       this.lose();
@@ -78,7 +78,7 @@ export class ServerLink {
       this.hearBinary(data);
       return;
     }
-    const message = JSON.parse(data) as RunState | RunEvent | { type: "caught-up" };
+    const message = JSON.parse(data) as RunState | RunEvent | CaughtUp;
     if (message.type === "event") {
       this.last = { run: message.run, n: message.n };
       events.value = [...events.value.slice(-KEPT_EVENTS), message];

@@ -79,7 +79,7 @@ async function readProposal(): Promise<void> {
   if (found === null) return;
   const before = proposal.value?.fingerprint;
   asked.value = found;
-  if (found.fingerprint !== undefined && found.fingerprint !== before) {
+  if (found.open !== null && found.fingerprint !== before) {
     selectedStep.value = null;
     if (result.value?.kind === "recorded") result.value = null;
     seenSteps.value = new Set();

@@ -56,7 +56,7 @@ export type Result =
 /** What became of the last answer that was given on this page. */
 export const result = signal<Result | null>(null);
 
-export const proposal = computed<Proposal | null>(() => (asked.value?.fingerprint === undefined ? null : asked.value));
+export const proposal = computed<Proposal | null>(() => (asked.value === null || asked.value.open === null ? null : asked.value));
 
 export const step = computed<StepRecord | null>(
   () => proposal.value?.steps.find((s) => s.number === selectedStep.value) ?? null,
