@@ -20,6 +20,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Route, expect, sync_playwright
 from playwright.sync_api import TimeoutError as TooLate
 
+from builders_wire import assert_body_fits
 from sitewright.app.project import new_project
 from sitewright.robot_team.drivers.mujoco.places import PID_NAME
 
@@ -149,7 +150,9 @@ class Seen:
 
     def json(self, path: str) -> dict[str, Any]:
         """Ask the server as this page would."""
-        answer: dict[str, Any] = self.page.request.get(self.served.origin + path).json()
+        reply = self.page.request.get(self.served.origin + path)
+        answer: dict[str, Any] = reply.json()
+        assert_body_fits("GET", path, answer, is_success=reply.ok)
         return answer
 
     def report(self, run: str) -> bytes:

@@ -130,6 +130,7 @@ def test_a_piece_in_a_gripper_goes_with_it_between_two_moments(
 def test_the_schedule_beside_it_has_the_moment_and_chooses_another(seen: Seen) -> None:
     page = seen.page
     bars = page.locator(".gantt .actual")
+    expect(bars).not_to_have_count(0)  # the picture comes from the server
     last = max(float(b.get_attribute("data-starts-s") or 0) for b in bars.all())
     page.locator(f".gantt .actual[data-starts-s='{last:.3f}']").last.click(force=True)
     expect(page.locator(".transport input")).to_have_value(f"{last:.2f}")
