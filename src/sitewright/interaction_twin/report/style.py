@@ -21,6 +21,7 @@ td.n,th.n{text-align:right;padding-right:22px}
 .picture{overflow-x:auto}.picture svg{display:block;max-width:100%;height:auto}
 .schedule svg{min-width:760px}
 .two{display:grid;grid-template-columns:1fr 1fr;gap:20px 40px}.two>*{min-width:0}
+.two .wide th{white-space:normal;vertical-align:bottom}.two td.n,.two th.n{padding-right:12px}
 footer{margin-top:40px;color:#5c6b7a;font-size:13px;border-top:1px solid #e3e9f0;padding-top:10px}
 @media (max-width:800px){.two{grid-template-columns:1fr}}
 @media print{body{font-size:12px;print-color-adjust:exact;-webkit-print-color-adjust:exact}
