@@ -7,6 +7,7 @@ import pytest
 from builders_words import CALLS, STUD
 from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
+from sitewright.central_controller.decision import DecisionRecord
 from sitewright.central_controller.events import ApprovalRejected, ProposalMade, StepSummary
 from sitewright.central_controller.site_state import Rejection, SiteState
 from sitewright.interaction_twin.state_document import Phase, Standing, asked_plan, phase_of
@@ -43,3 +44,10 @@ def test_the_plan_after_a_no_says_who_said_no(reason: str) -> None:
     assert state.proposal is None
     assert state.why.startswith("olga ")
     assert "too near the door" in state.why
+
+
+def test_who_only_wants_another_motion_has_said_nothing_against_the_one_before() -> None:
+    no = Rejection(fingerprint=PLAN, target=STUD, reason="path-unsafe", step=2)
+    wish = DecisionRecord(key="k", body_sha256="", verb="new-motion", role="operator", session="s")
+    state = folded(open_plan(), ApprovalRejected(who="olga", rejection=no, decision=wish))
+    assert state.why == "olga asked for another motion."

@@ -26,6 +26,7 @@ from sitewright.central_controller.commands import (
     Stop,
 )
 from sitewright.central_controller.cycle_state import CycleState, Flight, Phase
+from sitewright.central_controller.decision import NEW_MOTION
 from sitewright.central_controller.events import (
     AlternativeChosen,
     AlternativeRefused,
@@ -182,9 +183,10 @@ def _after_other_event(  # noqa: C901, PLR0911, PLR0912 -- one line per kind of 
             return replace(state, approval=approval, why="")
         case ApprovalRefused(reason=reason):
             return replace(state, approval=None, why=reason)
-        case ApprovalRejected(who=who, rejection=rejection):
+        case ApprovalRejected(who=who, rejection=rejection, decision=decision):
             rejected = state.rejected | {rejection.fingerprint}
-            why = why_anew(who, rejection)
+            is_wish = decision is not None and decision.verb == NEW_MOTION
+            why = why_anew(who, rejection, is_wish=is_wish)
             return replace(without_proposal(state), rejected=rejected, why=why)
         case AlternativeChosen(call=call):
             return replace(without_proposal(state), wish=call)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+NEW_MOTION = "new-motion"
+"""Verb of a decision that only wants another motion."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DecisionRecord:

@@ -23,8 +23,16 @@ _SEEDS_APART = 101
 _Fact = TypeVar("_Fact", bound=tuple[str, ...])
 
 
-def why_anew(who: str, rejection: Rejection) -> Sentence:
-    """Return why the next plan is asked for, after a person said no."""
+def why_anew(who: str, rejection: Rejection, *, is_wish: bool = False) -> Sentence:
+    """Return why the next plan is asked for, after a person said no.
+
+    Args:
+        who: The person.
+        rejection: What was said.
+        is_wish: Another motion was asked for, without a word against the one before.
+    """
+    if is_wish:
+        return Sentence("{who} asked for another motion.", who=who)
     said = _what_was_said(who, rejection)
     if not rejection.detail:
         return said

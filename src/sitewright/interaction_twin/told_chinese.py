@@ -350,5 +350,6 @@ TOLD_CHINESE: Mapping[str, str] = {
     "{who} put {target} off.": "{who}推迟了{target}。",
     "{who} rejected the plan before.": "{who}拒绝了前一方案。",
     "{said} “{detail}”": "{said}“{detail}”",
+    "{who} asked for another motion.": "{who}要求另一种运动。",
     "{names} and {count} more": "{names} 等另外 {count} 个",
 }

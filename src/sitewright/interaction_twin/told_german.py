@@ -427,5 +427,6 @@ TOLD_GERMAN: Mapping[str, str] = {
     "{who} put {target} off.": "{who} hat {target} aufgeschoben.",
     "{who} rejected the plan before.": "{who} hat den Plan davor abgelehnt.",
     "{said} “{detail}”": "{said} „{detail}“",
+    "{who} asked for another motion.": "{who} hat um eine andere Bewegung gebeten.",
     "{names} and {count} more": "{names} und {count} weitere",
 }

@@ -350,5 +350,6 @@ TOLD_SPANISH: Mapping[str, str] = {
     "{who} put {target} off.": "{who} aplazó {target}.",
     "{who} rejected the plan before.": "{who} rechazó el plan anterior.",
     "{said} “{detail}”": "{said} «{detail}»",
+    "{who} asked for another motion.": "{who} pidió otro movimiento.",
     "{names} and {count} more": "{names} y {count} más",
 }
