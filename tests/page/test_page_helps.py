@@ -74,6 +74,7 @@ def test_who_is_in_the_way_is_told_and_shown_and_a_way_out_goes_on(
     page.set_viewport_size({"width": 1280, "height": SIZES[1280]})
 
     (option,) = [o for o in of_zone["options"] if o["verb"] == "zone"]
+    assert [o for o in of_crate["options"] if o["verb"] == "zone"] == [], "it would not help"
     _trouble(seen, of_zone).get_by_role("button", name=option["words"]).click()
     plan = seen.waiting()
     assert plan["target"] == "support-1"

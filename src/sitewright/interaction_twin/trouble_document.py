@@ -171,7 +171,7 @@ class _Telling:
             "blocker_names": [self(Sentence("{text}", text=b)) for b in blockers],
             "counter_proposals": [],
             "rejected": [],
-            "options": self.options(target, is_rejected=verdict is Verdict.REJECTED),
+            "options": self.options(target, blockers, is_rejected=verdict is Verdict.REJECTED),
         }
 
     def rejected(self, event: ApprovalRejected) -> str:
@@ -193,8 +193,13 @@ class _Telling:
             )
         )
 
-    def options(self, target: ComponentId, *, is_rejected: bool) -> list[Json]:
-        """Return what a person can decide now; each is checked again when it is decided."""
+    def options(
+        self, target: ComponentId, blockers: Sequence[str], *, is_rejected: bool
+    ) -> list[Json]:
+        """Return what a person can decide now; each is checked again when it is decided.
+
+        Where it is known what is in the way, only the zones among that can be taken away.
+        """
         state, found = self.state, list[Json]()
         if state.held is not None or state.finished is not None:
             again = (
@@ -209,7 +214,7 @@ class _Telling:
         if hand_facts(state.site).get(target):
             words = self(Sentence("Say which of its work was done by hand"))
             found.append({"id": "by-hand", "verb": "manual", "words": words})
-        for zone in state.site.zones:
+        for zone in (z for z in state.site.zones if z in blockers or not blockers):
             words = self(Sentence("Take {zone} away", zone=zone))
             remove: Json = {"remove": zone}
             found.append({"id": f"remove-{zone}", "verb": "zone", "zone": remove, "words": words})
