@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from sitewright.central_controller.events import (
     AlternativeRefused,
     AnyEvent,
@@ -34,25 +32,16 @@ from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.measures import in_seconds
 from sitewright.interaction_twin.narration import narrate
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
-from sitewright.interaction_twin.retelling import retold
+from sitewright.interaction_twin.retelling import Telling
 
 
 def progress_line(event: AnyEvent, labels: Labels, book: Phrasebook = ENGLISH) -> str:
     """Return the line of an event; empty if it is of no interest while watching."""
-    tell = _Telling(labels, book)
+    tell = Telling(labels, book)
     said = (
         _run_line(event) or _work_line(event, tell) or _trouble_line(event) or _steering_line(event)
     )
     return tell(said) if said else ""
-
-
-@dataclass(frozen=True, slots=True)
-class _Telling:
-    labels: Labels
-    book: Phrasebook
-
-    def __call__(self, text: str) -> str:
-        return retold(text, self.labels, self.book)
 
 
 def _run_line(event: AnyEvent) -> str:  # noqa: PLR0911 -- one line per kind of event
@@ -89,7 +78,7 @@ def _design_line(event: DesignChanged) -> Sentence:
     )
 
 
-def _work_line(event: AnyEvent, tell: _Telling) -> str:
+def _work_line(event: AnyEvent, tell: Telling) -> str:
     match event:
         case ProposalMade():
             return _proposal_line(event)

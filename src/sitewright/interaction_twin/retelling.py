@@ -29,6 +29,18 @@ def retold(text: str, labels: Labels, book: Phrasebook = ENGLISH) -> str:
 
 
 @dataclass(frozen=True, slots=True)
+class Telling:
+    """Retells texts in one language, with the names of one site."""
+
+    labels: Labels
+    book: Phrasebook
+
+    def __call__(self, text: str) -> str:
+        """Return a text in the language."""
+        return retold(text, self.labels, self.book)
+
+
+@dataclass(frozen=True, slots=True)
 class _Speaker(Speaker):
     """Says names for ids, and looks templates up."""
 

@@ -21,7 +21,7 @@ from sitewright.foundation.sentence import Sentence
 from sitewright.interaction_twin.labels import Labels
 from sitewright.interaction_twin.narration import narrate
 from sitewright.interaction_twin.phrases import ENGLISH, Phrasebook
-from sitewright.interaction_twin.retelling import retold
+from sitewright.interaction_twin.retelling import Telling, retold
 
 
 class Phase(StrEnum):
@@ -117,7 +117,7 @@ def state_document(
     return {
         "type": "state",
         "phase": phase.value,
-        "words": _words(phase, state, standing, _Telling(labels, book)),
+        "words": _words(phase, state, standing, Telling(labels, book)),
         "run": state.run,
         "open": _open(state),
         "running": _running(state, standing, labels, book),
@@ -130,17 +130,8 @@ def state_document(
     }
 
 
-@dataclass(frozen=True, slots=True)
-class _Telling:
-    labels: Labels
-    book: Phrasebook
-
-    def __call__(self, text: str) -> str:
-        return retold(text, self.labels, self.book)
-
-
 def _words(  # noqa: PLR0911 -- one line per case
-    phase: Phase, state: CycleState, standing: Standing, tell: _Telling
+    phase: Phase, state: CycleState, standing: Standing, tell: Telling
 ) -> str:
     match phase:
         case Phase.BROKEN:
