@@ -38,7 +38,7 @@ from sitewright.foundation.pose import Pose, Quaternion, from_axis_angle
 lengths = st.integers(1, 400).map(lambda n: n / 100)
 coordinates = st.integers(-(10**9), 10**9).map(lambda n: round(n / 1e7, 7))
 vectors = st.tuples(coordinates, coordinates, coordinates)
-words = st.text(st.characters(codec="utf-8", exclude_categories=["C"]), max_size=12)
+words = st.text(st.characters(codec="utf-8", exclude_categories=["C", "Zl", "Zp"]), max_size=12)
 json_values = st.recursive(
     st.none() | st.booleans() | st.integers(-9, 9) | coordinates | words,
     lambda inner: st.lists(inner, max_size=3) | st.dictionaries(words, inner, max_size=3),
