@@ -6,13 +6,14 @@ import asyncio
 import os
 import secrets
 import threading
-from collections.abc import Callable, Mapping
-from contextlib import ExitStack
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Self
 
 import httpx
+import pytest
 
 from builders_run import Site
 from builders_wire import assert_answer_fits
@@ -179,6 +180,15 @@ class Served:
         answer = client.post("/api/session", json={"user": name, "token": token})
         assert answer.status_code == 200
         return client
+
+
+@contextmanager
+def served_in(folder: Path, *, users: Path | None = None) -> Iterator[Served]:
+    """Serve a new project of a folder, with a home of its own for what the installation keeps."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_STATE_HOME", str(folder / "state"))
+        with Served(folder / "project", users=users) as running:
+            yield running
 
 
 def wait_for(client: httpx.Client, is_so: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:

@@ -8,18 +8,15 @@ from xml.etree import ElementTree as ET
 import httpx
 import pytest
 
-from builders_serving import Served, approval, wait_for, waiting
+from builders_serving import Served, approval, served_in, wait_for, waiting
 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    folder = tmp_path_factory.mktemp("pictures")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_STATE_HOME", str(folder / "state"))
-        with Served(folder / "project") as running:
-            yield running
+    with served_in(tmp_path_factory.mktemp("pictures")) as running:
+        yield running
 
 
 @pytest.fixture(scope="module")

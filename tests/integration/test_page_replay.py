@@ -9,7 +9,7 @@ from typing import Any
 import httpx
 import pytest
 
-from builders_serving import Served, approval, waiting
+from builders_serving import Served, approval, served_in, waiting
 from sitewright.app.run_folder import RunFolder, event_of
 from sitewright.central_controller.cycle import folded
 from sitewright.central_controller.cycle_state import CycleState
@@ -19,11 +19,8 @@ from sitewright.journal.sqlite import read_records
 
 @pytest.fixture(scope="module")
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    folder = tmp_path_factory.mktemp("replay")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_STATE_HOME", str(folder / "state"))
-        with Served(folder / "project") as running:
-            yield running
+    with served_in(tmp_path_factory.mktemp("replay")) as running:
+        yield running
 
 
 @pytest.fixture(scope="module")

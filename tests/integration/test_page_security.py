@@ -12,7 +12,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
-from builders_serving import Served, approval, wait_for, waiting
+from builders_serving import Served, approval, served_in, wait_for, waiting
 from sitewright.app.clock import SystemClock
 from sitewright.app.execution import state_home
 from sitewright.app.run_folder import installation_key
@@ -36,10 +36,8 @@ def served(tmp_path_factory: pytest.TempPathFactory, tokens: dict[str, str]) -> 
     users = folder / "users.toml"
     for role in ROLES:
         tokens[role] = new_user(users, f"the {role}", role)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_STATE_HOME", str(folder / "state"))
-        with Served(folder / "project", users=users) as running:
-            yield running
+    with served_in(folder, users=users) as running:
+        yield running
 
 
 def raw(
